@@ -1,0 +1,3 @@
+//! Draws in, verdicts out.
+
+pub mod special;
