@@ -1,0 +1,44 @@
+//! Chromatic samplers: one distance for all channels, and a weight for each.
+
+use crate::claims::{Channel, ChromaticClaims};
+use crate::draws::Draws;
+use crate::parameter::ParameterError;
+use crate::random::Streams;
+
+/// Draws one distance for several channels, and the weight of each: of scattering there (albedo included), or of reaching
+/// the surface at the end of the ray.
+pub trait ChromaticSampler: Send + Sync {
+    /// One draw: the distance, infinity for the surface; `weights` has one place per channel.
+    fn sample(&self, channels: &[Channel], rng: &mut dyn rand::Rng, weights: &mut [f64]) -> f64;
+
+    /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
+    /// [`ChromaticSampler::sample`].
+    fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
+        let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; channels.len()]);
+        for row in 0..out.rows {
+            let t = self.sample(channels, &mut rng, &mut weights);
+            out.put(row, t, 1.0, 0);
+            for (column, weight) in out.channels.iter_mut().zip(&weights) {
+                column[row] = *weight;
+            }
+        }
+    }
+
+    /// The density of the unweighted distance at `t`; its probability of reaching the surface if `t` is infinite.
+    fn pdf(&self, _channels: &[Channel], _t: f64) -> Option<f64> {
+        None
+    }
+
+    /// What is known of this sampler on homogeneous channels.
+    fn claims(&self, _channels: &[Channel]) -> ChromaticClaims {
+        ChromaticClaims::default()
+    }
+
+    /// Refuses channels that the sampler cannot work with.
+    ///
+    /// # Errors
+    /// Naming the parameter that does not fit.
+    fn accepts(&self, _channels: &[Channel]) -> Result<(), ParameterError> {
+        Ok(())
+    }
+}

@@ -1,0 +1,91 @@
+//! What an estimator claims of itself, as formulas of the true medium: each line is tested by the harness.
+
+use crate::extinction::Extinction;
+
+/// A survival function P(t > x) on [0, length]: its value at the length is the escape atom.
+pub type Survival<'a> = Box<dyn Fn(f64) -> f64 + Send + Sync + 'a>;
+
+/// What a free-path sampler claims beyond its kind.
+pub struct FreePathClaims<'a> {
+    /// It is wrong under a majorant that does not bound: one look-up above it fails.
+    pub bounded: bool,
+    /// The law that it draws where that is not the medium's, by design.
+    pub own_law: Option<Survival<'a>>,
+    /// Expected look-ups of mu per draw.
+    pub lookups: Option<f64>,
+    /// Its `collisions` and `t` follow Coleman's joint law (Coleman 1968) under the medium's majorants.
+    pub coleman: bool,
+    /// Its law has no atom but escape, so that ties mean something.
+    pub continuous: bool,
+    /// The largest error of its law falls like this power of the step length.
+    pub order: Option<f64>,
+}
+
+impl Default for FreePathClaims<'_> {
+    fn default() -> Self {
+        Self {
+            bounded: true,
+            own_law: None,
+            lookups: None,
+            coleman: false,
+            continuous: true,
+            order: None,
+        }
+    }
+}
+
+/// What a transmittance estimator claims beyond its kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransmittanceClaims {
+    /// It is wrong under a majorant that does not bound: one look-up above it fails.
+    pub bounded: bool,
+    /// Its mean where that is not T, by design.
+    pub own_mean: Option<f64>,
+    /// E[X^k] for k = 1 to 6, by formula.
+    pub moments: Option<[f64; 6]>,
+    /// The least and greatest value of one estimate.
+    pub range: Option<(f64, f64)>,
+    /// Every estimate is 0 or 1.
+    pub binary: bool,
+    /// Expected look-ups of mu per estimate.
+    pub lookups: Option<f64>,
+    /// `collisions` is Poisson with this mean.
+    pub poisson: Option<f64>,
+    /// The bias falls like this power of the step length.
+    pub order: Option<f64>,
+}
+
+impl Default for TransmittanceClaims {
+    fn default() -> Self {
+        Self {
+            bounded: true,
+            own_mean: None,
+            moments: None,
+            range: None,
+            binary: false,
+            lookups: None,
+            poisson: None,
+            order: None,
+        }
+    }
+}
+
+/// What a chromatic sampler claims beyond its kind.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChromaticClaims {
+    /// The probability of each channel in the mixture that the unweighted t follows: sum of q_c mu_c exp(-mu_c t).
+    pub mixture: Option<Vec<f64>>,
+    /// E[w^2; scatter] of each channel.
+    pub scatter_moments: Option<Vec<f64>>,
+    /// E[w^2; surface] of each channel.
+    pub surface_moments: Option<Vec<f64>>,
+}
+
+/// A channel of a chromatic medium, as a chromatic sampler sees it.
+#[derive(Clone, Copy)]
+pub struct Channel<'a> {
+    /// Extinction of the channel along the ray.
+    pub extinction: &'a dyn Extinction,
+    /// Scattering over extinction.
+    pub albedo: f64,
+}

@@ -1,0 +1,207 @@
+//! What a subject may see of a medium ([`Extinction`]), and the truth that it may not ([`Medium`]).
+
+use crate::majorants::Majorants;
+use crate::{quadrature, simd};
+
+/// How mu behaves between two neighbouring [`Extinction::breaks`].
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    serde::Deserialize,
+    serde::Serialize,
+    schemars::JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Cells {
+    /// mu is constant in each cell.
+    Constant,
+    /// mu is linear in each cell.
+    Linear,
+    /// mu is a cubic in each cell, as trilinear interpolation gives along a ray.
+    Cubic,
+    /// Nothing is promised.
+    Curved,
+}
+
+/// Extinction mu(t) along one ray, 0 <= t <= length: all that a subject may see.
+pub trait Extinction {
+    /// The length of the ray segment, finite and positive.
+    fn length(&self) -> f64;
+
+    /// Extinction at `t`, in 1/length.
+    #[doc(alias = "sigma_t")]
+    fn mu(&self, t: f64) -> f64;
+
+    /// Upper bounds of mu by segment, as a renderer precomputes them.
+    fn majorants(&self) -> &Majorants;
+
+    /// Where mu or its slope jumps: increasing, strictly inside (0, length).
+    fn breaks(&self) -> &[f64] {
+        &[]
+    }
+
+    /// What mu is between the breaks.
+    fn cells(&self) -> Cells {
+        Cells::Curved
+    }
+
+    /// Many look-ups at once, `mu[i]` at `t[i]`: a loop over [`Extinction::mu`], compiled for this CPU.
+    fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
+        simd::dispatch(
+            #[inline(always)]
+            || {
+                for (mu, &t) in mu.iter_mut().zip(t) {
+                    *mu = self.mu(t);
+                }
+            },
+        );
+    }
+}
+
+/// The truth about a medium, for the harness alone.
+pub trait Medium: Extinction + Send + Sync {
+    /// Optical depth, the integral of mu from 0 to `t`. Provided: Gauss-Kronrod quadrature between the breaks.
+    #[doc(alias = "optical_depth")]
+    fn tau(&self, t: f64) -> f64 {
+        quadrature::integrate(&|s| self.mu(s), 0.0, t, self.breaks()).value
+    }
+
+    /// A bound on the absolute error of [`Medium::tau`] beyond rounding: 0 for closed forms. It enters every claim as
+    /// slack.
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
+
+    /// Where `tau` reaches `depth`; infinity if it does not within the length. Provided: bracketed Newton steps.
+    fn inverse_tau(&self, depth: f64) -> f64 {
+        solve(self, depth)
+    }
+
+    /// The exact least and greatest mu on [a, b].
+    fn extrema(&self, a: f64, b: f64) -> (f64, f64);
+}
+
+/// Solves tau(t) = depth by Newton's method, falling back on bisection where a step leaves the bracket.
+fn solve<M: Medium + ?Sized>(medium: &M, depth: f64) -> f64 {
+    let (mut low, mut high) = (0.0, medium.length());
+    if depth >= medium.tau(high) {
+        return f64::INFINITY;
+    }
+    let mut t = 0.5 * high;
+    for _ in 0..200 {
+        let excess = medium.tau(t) - depth;
+        if excess < 0.0 {
+            low = t
+        } else {
+            high = t
+        }
+        let newton = t - excess / medium.mu(t);
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if (next - t).abs() <= f64::EPSILON * t {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+/// Media are shared between subjects and threads; a reference is as good as the medium.
+macro_rules! forward {
+    ($($Pointer:ty),*) => {$(
+        impl<M: Extinction + ?Sized> Extinction for $Pointer {
+            fn length(&self) -> f64 {
+                (**self).length()
+            }
+            fn mu(&self, t: f64) -> f64 {
+                (**self).mu(t)
+            }
+            fn majorants(&self) -> &Majorants {
+                (**self).majorants()
+            }
+            fn breaks(&self) -> &[f64] {
+                (**self).breaks()
+            }
+            fn cells(&self) -> Cells {
+                (**self).cells()
+            }
+            fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
+                (**self).mu_tile(t, mu);
+            }
+        }
+
+        impl<M: Medium + ?Sized> Medium for $Pointer {
+            fn tau(&self, t: f64) -> f64 {
+                (**self).tau(t)
+            }
+            fn tau_error(&self) -> f64 {
+                (**self).tau_error()
+            }
+            fn inverse_tau(&self, depth: f64) -> f64 {
+                (**self).inverse_tau(depth)
+            }
+            fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
+                (**self).extrema(a, b)
+            }
+        }
+    )*};
+}
+forward!(std::sync::Arc<M>, Box<M>, &M);
+
+/// A medium under other majorants than its own.
+#[derive(Clone)]
+pub struct Under<M> {
+    medium: M,
+    majorants: Majorants,
+}
+
+impl<M: Extinction> Under<M> {
+    /// `medium`, seen with `majorants`.
+    pub fn new(medium: M, majorants: Majorants) -> Self {
+        Self { medium, majorants }
+    }
+}
+
+impl<M: Extinction> Extinction for Under<M> {
+    fn length(&self) -> f64 {
+        self.medium.length()
+    }
+    fn mu(&self, t: f64) -> f64 {
+        self.medium.mu(t)
+    }
+    fn majorants(&self) -> &Majorants {
+        &self.majorants
+    }
+    fn breaks(&self) -> &[f64] {
+        self.medium.breaks()
+    }
+    fn cells(&self) -> Cells {
+        self.medium.cells()
+    }
+    fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
+        self.medium.mu_tile(t, mu);
+    }
+}
+
+impl<M: Medium> Medium for Under<M> {
+    fn tau(&self, t: f64) -> f64 {
+        self.medium.tau(t)
+    }
+    fn tau_error(&self) -> f64 {
+        self.medium.tau_error()
+    }
+    fn inverse_tau(&self, depth: f64) -> f64 {
+        self.medium.inverse_tau(depth)
+    }
+    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
+        self.medium.extrema(a, b)
+    }
+}

@@ -1,0 +1,73 @@
+//! Free-path samplers.
+
+use crate::claims::FreePathClaims;
+use crate::draws::Draws;
+use crate::extinction::{Extinction, Medium};
+use crate::parameter::ParameterError;
+use crate::random::Streams;
+use crate::woodcock::one_by_one;
+
+mod delta_tracking;
+
+/// One draw of a free path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreePath {
+    /// Distance to the collision; infinity for an escape.
+    pub t: f64,
+    /// Statistical weight: 1 unless the sampler is weighted.
+    pub weight: f64,
+    /// Tentative collisions of the walk, 0 if it makes none.
+    pub collisions: u32,
+}
+
+impl FreePath {
+    /// An unweighted collision at `t`, or escape if `t` is infinite.
+    #[must_use]
+    pub fn at(t: f64) -> Self {
+        Self {
+            t,
+            weight: 1.0,
+            collisions: 0,
+        }
+    }
+}
+
+/// Draws distances to the next collision: P(t <= x) = 1 - exp(-tau(x)), and escape with probability exp(-tau(length)).
+///
+/// One method is required. A closure `Fn(&dyn Extinction, &mut dyn Rng) -> f64` is a sampler, too.
+pub trait FreePathSampler: Send + Sync {
+    /// One draw. It sees mu and its majorants, never tau.
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath;
+
+    /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
+    /// [`FreePathSampler::sample`].
+    fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        one_by_one(streams, out, |rng| self.sample(medium, rng));
+    }
+
+    /// What is known of this sampler in this medium. Provided: that it is exact and needs a bounding majorant.
+    fn claims<'a>(&'a self, _truth: &'a dyn Medium) -> FreePathClaims<'a> {
+        FreePathClaims::default()
+    }
+
+    /// Refuses a medium that the sampler cannot work in.
+    ///
+    /// # Errors
+    /// Naming the parameter that does not fit the medium.
+    fn accepts(&self, _medium: &dyn Extinction) -> Result<(), ParameterError> {
+        Ok(())
+    }
+}
+
+impl<F: Fn(&dyn Extinction, &mut dyn rand::Rng) -> f64 + Send + Sync> FreePathSampler for F {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
+        FreePath::at(self(medium, rng))
+    }
+}
+
+crate::list::list! {
+    /// Every free-path sampler that a case can name.
+    pub enum AnyFreePath: dyn FreePathSampler {
+        delta_tracking::DeltaTracking,
+    }
+}

@@ -1,0 +1,79 @@
+//! Media: one per file, each with its exact optical depth, its inverse and its break points.
+
+use crate::extinction::Medium;
+use crate::parameter::ParameterError;
+use std::sync::Arc;
+
+mod constant;
+mod gaussian;
+
+/// What a case file says of a medium, and how to make it.
+pub trait Describe {
+    /// The medium, or the channels, along each ray. `surroundings` reads the files that the description names.
+    ///
+    /// # Errors
+    /// If a parameter is refused, or a file cannot be read.
+    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError>;
+}
+
+/// What a description builds.
+#[derive(Clone)]
+pub enum Built {
+    /// One extinction along one ray.
+    Grey(Arc<dyn Medium>),
+    /// Homogeneous channels.
+    Chromatic(ChromaticMedium),
+}
+
+/// Homogeneous channels over one length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChromaticMedium {
+    /// Extinction and albedo of each channel.
+    pub channels: Vec<(Constant, f64)>,
+}
+
+/// Reads the files that a description names, and says along which ray to look.
+pub trait Surroundings {
+    /// The volume stored in `file`, a name relative to the case file.
+    ///
+    /// # Errors
+    /// If the file may not or cannot be read.
+    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError>;
+
+    /// Origin and direction that replace the description's own, for a case of many rays.
+    fn ray(&self) -> Option<([f64; 3], [f64; 3])>;
+}
+
+/// A scalar field on a grid: `values[(z * ny + y) * nx + x]`, all finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Volume {
+    /// nx, ny, nz.
+    pub shape: [usize; 3],
+    /// x fastest.
+    pub values: Vec<f64>,
+}
+
+crate::list::list! {
+    /// Every medium that a case can name.
+    pub enum AnyMedium: dyn Describe {
+        constant::Constant,
+        gaussian::Gaussian,
+    }
+}
+
+/// A closed-form medium describes itself.
+macro_rules! describes_itself {
+    ($Type:ty) => {
+        impl crate::medium::Describe for $Type {
+            fn build(
+                &self,
+                _surroundings: &dyn crate::medium::Surroundings,
+            ) -> Result<crate::medium::Built, crate::parameter::ParameterError> {
+                Ok(crate::medium::Built::Grey(std::sync::Arc::new(
+                    self.clone(),
+                )))
+            }
+        }
+    };
+}
+pub(crate) use describes_itself;

@@ -1,0 +1,110 @@
+//! Adaptive Gauss-Kronrod quadrature (7 and 15 points; Kronrod 1965, nodes as in QUADPACK, Piessens et al. 1983).
+
+const NODES: [f64; 8] = [
+    0.991_455_371_120_812_6,
+    0.949_107_912_342_758_5,
+    0.864_864_423_359_769_1,
+    0.741_531_185_599_394_4,
+    0.586_087_235_467_691_1,
+    0.405_845_151_377_397_2,
+    0.207_784_955_007_898_47,
+    0.0,
+];
+const KRONROD: [f64; 8] = [
+    0.022_935_322_010_529_224,
+    0.063_092_092_629_978_55,
+    0.104_790_010_322_250_18,
+    0.140_653_259_715_525_92,
+    0.169_004_726_639_267_9,
+    0.190_350_578_064_785_4,
+    0.204_432_940_075_298_9,
+    0.209_482_141_084_727_83,
+];
+const GAUSS: [f64; 4] = [
+    0.129_484_966_168_869_7,
+    0.279_705_391_489_276_64,
+    0.381_830_050_505_118_93,
+    0.417_959_183_673_469_4,
+];
+
+/// An integral and an estimate of its absolute error.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Integral {
+    /// The Kronrod value.
+    pub value: f64,
+    /// The sum over the panels of |Kronrod - Gauss|, an overestimate for smooth functions.
+    pub error: f64,
+}
+
+/// The integral of `f` from `a` to `b`, each panel between the `breaks` halved until its two rules agree to 1e-13 of
+/// the whole, at most 40 times.
+///
+/// A feature that no node meets is missed: hand in its place among the breaks.
+pub fn integrate(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64]) -> Integral {
+    let inner = breaks.iter().copied().filter(|&x| x > a && x < b);
+    let ends: Vec<f64> = std::iter::once(a).chain(inner).chain([b]).collect();
+    let coarse: Vec<Integral> = ends.windows(2).map(|w| panel(f, w[0], w[1])).collect();
+    let scale: f64 = coarse.iter().map(|panel| panel.value.abs()).sum();
+    let mut total = Integral::default();
+    for (w, first) in ends.windows(2).zip(coarse) {
+        let part = refine(f, w[0], w[1], first, 1e-13 * scale, 40);
+        total.value += part.value;
+        total.error += part.error;
+    }
+    total
+}
+
+fn refine(f: &dyn Fn(f64) -> f64, a: f64, b: f64, whole: Integral, tolerance: f64, depth: u32) -> Integral {
+    let refinable = whole.error > tolerance && whole.error > 1e-15 * whole.value.abs(); // not so for NaN
+    if depth == 0 || !refinable {
+        return whole;
+    }
+    let m = 0.5 * (a + b);
+    let half = |a, b| refine(f, a, b, panel(f, a, b), 0.5 * tolerance, depth - 1);
+    let (left, right) = (half(a, m), half(m, b));
+    Integral {
+        value: left.value + right.value,
+        error: left.error + right.error,
+    }
+}
+
+/// Both rules on one panel.
+fn panel(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> Integral {
+    let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
+    let (mut kronrod, mut gauss) = (0.0, 0.0);
+    for (i, (&x, &w)) in NODES.iter().zip(&KRONROD).enumerate() {
+        let pair = if i == 7 { f(m) } else { f(m - h * x) + f(m + h * x) };
+        kronrod += w * pair;
+        if i % 2 == 1 {
+            gauss += GAUSS[i / 2] * pair;
+        }
+    }
+    Integral {
+        value: h * kronrod,
+        error: (h * (kronrod - gauss)).abs(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smooth_and_broken_integrands_are_right() {
+        let whole = integrate(&libm::exp, 0.0, 3.0, &[]);
+        assert!((whole.value - (libm::exp(3.0) - 1.0)).abs() < 1e-13 * whole.value);
+        let step = |t: f64| if t < 1.25 { 2.0 } else { 0.5 };
+        let broken = integrate(&step, 0.0, 3.0, &[1.25]);
+        assert!((broken.value - 3.375).abs() < 1e-14 && broken.error < 1e-13);
+        assert!((integrate(&libm::sqrt, 0.0, 1.0, &[]).value - 2.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_nan_is_not_hidden() {
+        assert!(
+            integrate(&|t| if t > 0.9 { f64::NAN } else { 1.0 }, 0.0, 1.0, &[])
+                .value
+                .is_nan()
+        );
+    }
+}

@@ -1,0 +1,50 @@
+//! Transmittance estimators.
+
+use crate::claims::TransmittanceClaims;
+use crate::draws::Draws;
+use crate::extinction::{Extinction, Medium};
+use crate::free_path::FreePath;
+use crate::parameter::ParameterError;
+use crate::random::Streams;
+use crate::woodcock::one_by_one;
+
+mod ratio_tracking;
+
+/// Estimates the transmittance T = exp(-tau(length)) of a ray.
+pub trait TransmittanceEstimator: Send + Sync {
+    /// One estimate. It sees mu and its majorants, never tau.
+    fn estimate(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> f64;
+
+    /// One estimate for each row of `out`, a function of the streams alone. Provided: a loop over
+    /// [`TransmittanceEstimator::estimate`].
+    fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        one_by_one(streams, out, |rng| {
+            let weight = self.estimate(medium, rng);
+            FreePath {
+                t: f64::INFINITY,
+                weight,
+                collisions: 0,
+            }
+        });
+    }
+
+    /// What is known of this estimator in this medium. Provided: that its mean is T and it needs a bounding majorant.
+    fn claims(&self, _truth: &dyn Medium) -> TransmittanceClaims {
+        TransmittanceClaims::default()
+    }
+
+    /// Refuses a medium that the estimator cannot work in.
+    ///
+    /// # Errors
+    /// Naming the parameter that does not fit the medium.
+    fn accepts(&self, _medium: &dyn Extinction) -> Result<(), ParameterError> {
+        Ok(())
+    }
+}
+
+crate::list::list! {
+    /// Every transmittance estimator that a case can name.
+    pub enum AnyTransmittance: dyn TransmittanceEstimator {
+        ratio_tracking::RatioTracking,
+    }
+}

@@ -1,0 +1,129 @@
+//! The tentative-collision walk that the null-collision family shares: one walk at a time for any generator
+//! ([`walk`]), and a tile of walks side by side ([`walks`]).
+//!
+//! Tentative collisions are a Poisson process of the segment's rate (Woodcock et al. 1965; Coleman 1968). What a
+//! tentative collision means is a [`CollisionRule`]: delta tracking stops there with probability mu / rate, ratio
+//! tracking multiplies a weight, and so on. Every walk that is started is finished: nothing ever stops at a count of
+//! steps, which would favour short walks.
+
+use crate::draws::Draws;
+use crate::extinction::Extinction;
+use crate::free_path::FreePath;
+use crate::random::{Streams, exponential};
+
+mod rates;
+mod tile;
+
+pub use rates::Rates;
+pub use tile::walks;
+
+/// A tentative collision: where, with what, and a uniform if the rule asked for one.
+#[derive(Clone, Copy, Debug)]
+pub struct Collision {
+    /// Where.
+    pub t: f64,
+    /// Extinction there.
+    pub mu: f64,
+    /// 1 / rate of the segment.
+    pub mfp: f64,
+    /// The segment's control extinction.
+    pub control: f64,
+    /// A uniform in [0, 1) if [`CollisionRule::DRAWS`], else 0.
+    pub u: f64,
+}
+
+/// What one member of the family does at a tentative collision.
+///
+/// Every method must be `#[inline(always)]` and should be free of branches: they run once for each lane of a tile.
+pub trait CollisionRule {
+    /// What a walk carries: nothing, a weight, a weight and a sum.
+    type State: Copy;
+    /// Does `collide` read a uniform?
+    const DRAWS: bool;
+    /// The state of a new walk.
+    fn start(&self) -> Self::State;
+    /// The state after a tentative collision, and whether the walk stops there.
+    fn collide(&self, state: Self::State, at: Collision) -> (Self::State, bool);
+    /// The weight of a finished walk.
+    fn weight(&self, state: Self::State, escaped: bool) -> f64;
+}
+
+/// What a walk does with the rest of its optical distance at the end of a segment. Both are exact, since the exponential
+/// law has no memory.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Form {
+    /// Forget it and draw afresh in the next segment (Woodcock et al. 1965; pbrt-v4).
+    #[default]
+    Restart,
+    /// Carry it into the next segment (Szirmay-Kalos et al. 2011).
+    Carry,
+}
+
+/// One walk, with any generator.
+pub fn walk<R: CollisionRule>(
+    rule: &R,
+    rates: &Rates,
+    form: Form,
+    medium: &dyn Extinction,
+    rng: &mut dyn rand::Rng,
+) -> FreePath {
+    let (mut state, mut t, mut segment, mut collisions) = (rule.start(), 0.0, 0, 0);
+    loop {
+        t += exponential(rng) * rates.mfp(segment);
+        while !(t < rates.end(segment)) {
+            if segment + 1 == rates.len() {
+                return FreePath {
+                    t: f64::INFINITY,
+                    weight: rule.weight(state, true),
+                    collisions,
+                };
+            }
+            let depth = match form {
+                Form::Carry => (t - rates.end(segment)) * rates.rate(segment),
+                Form::Restart => exponential(rng),
+            };
+            t = rates.end(segment) + depth * rates.mfp(segment + 1);
+            segment += 1;
+        }
+        let u = if R::DRAWS {
+            crate::random::uniform(rng)
+        } else {
+            0.0
+        };
+        let (mfp, control) = (rates.mfp(segment), rates.control(segment));
+        let (next, stop) = rule.collide(
+            state,
+            Collision {
+                t,
+                mu: medium.mu(t),
+                mfp,
+                control,
+                u,
+            },
+        );
+        (state, collisions) = (next, collisions + 1);
+        if stop {
+            return FreePath {
+                t,
+                weight: rule.weight(state, false),
+                collisions,
+            };
+        }
+    }
+}
+
+/// The provided block of a scalar sampler: as many calls of `draw` as `out` has rows.
+pub(crate) fn one_by_one(
+    streams: &Streams,
+    out: &mut Draws,
+    mut draw: impl FnMut(&mut dyn rand::Rng) -> FreePath,
+) {
+    let mut rng = streams.rng();
+    for row in 0..out.rows {
+        let path = draw(&mut rng);
+        out.put(row, path.t, path.weight, path.collisions);
+    }
+}
