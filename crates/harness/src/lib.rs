@@ -1,3 +1,6 @@
-//! Draws in, verdicts out.
+//! Draws in, verdicts out: tallies, evidence, decisions and results.
 
+pub mod real;
+pub mod results;
 pub mod special;
+pub mod verdict;
