@@ -2,13 +2,34 @@
 //!
 //! The text is JSON with comments and trailing commas. Every value remembers where it stands, so the
 //! message of a misspelt name, a wrong type or a refused parameter underlines what is to be changed:
+//!
+//! ```
+//! use freepath_harness::diagnose;
+//!
+//! #[derive(Debug, serde::Deserialize)]
+//! #[serde(deny_unknown_fields)]
+//! struct Case {
+//!     draws: u64,
+//! }
+//!
+//! let case: Case = diagnose::parse("demo.json", r#"{ "draws": 1e6 } // a million"#).unwrap();
+//! assert_eq!(case.draws, 1_000_000);
+//!
+//! let misspelt = diagnose::parse::<Case>("demo.json", r#"{ "drawz": 1e6 }"#).unwrap_err();
+//! assert_eq!((misspelt.line(), misspelt.column()), (1, 3));
+//! assert!(misspelt.to_string().contains("did you mean `draws`?"));
+//! ```
 
+mod decode;
 mod diagnosis;
 mod excerpt;
+mod misfit;
 mod path;
 mod syntax;
 mod tree;
 mod words;
+
+use serde::de::DeserializeOwned;
 
 pub use diagnosis::Diagnosis;
 use diagnosis::Finding;
@@ -19,6 +40,15 @@ pub const MAX_BYTES: usize = 16 << 20;
 
 /// The deepest nesting of objects and lists that is read.
 pub const MAX_DEPTH: usize = 64;
+
+/// Reads `text` as a `T`. `file` is the name to show in messages; it is not opened.
+///
+/// # Errors
+///
+/// The first thing that is wrong with the text.
+pub fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T, Diagnosis> {
+    Source::new(file, text)?.read()
+}
 
 /// The text of a file with the place of every value in it.
 ///
@@ -43,6 +73,15 @@ impl Source {
             Ok(root) => Ok(Source { file, text, root }),
             Err(fault) => Err(Diagnosis::new(&file, &text, &cannot_read(fault))),
         }
+    }
+
+    /// Reads the text as a `T`.
+    ///
+    /// # Errors
+    ///
+    /// The first place that does not fit `T`.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, Diagnosis> {
+        T::deserialize(&self.root).map_err(|misfit| self.finding(&cannot_read(misfit.locate(&self.root))))
     }
 
     /// A message about the value at `path`, which is written as messages write it:
