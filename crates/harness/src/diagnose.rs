@@ -29,6 +29,9 @@ mod syntax;
 mod tree;
 mod words;
 
+#[cfg(test)]
+mod tests;
+
 use serde::de::DeserializeOwned;
 
 pub use diagnosis::Diagnosis;
