@@ -1,5 +1,6 @@
 //! A small case format, and what becomes of texts in it.
 
+mod hostile;
 mod messages;
 mod syntax;
 
