@@ -1,6 +1,7 @@
 //! Draws in, verdicts out: tallies, evidence, decisions and results.
 
 pub mod audit;
+pub mod diagnose;
 pub mod evidence;
 pub mod law;
 pub mod real;
