@@ -28,15 +28,26 @@ struct Check {
 
 impl Check {
     fn new(file: &'static str) -> Self {
-        Self { file, worst: (0.0, String::new()), rows: 0, off: Vec::new() }
+        Self {
+            file,
+            worst: (0.0, String::new()),
+            rows: 0,
+            off: Vec::new(),
+        }
     }
 
     fn row(&mut self, what: String, got: f64, wanted: f64, tolerance: f64) {
-        let error = if same(got, wanted) { 0.0 } else { (got / wanted - 1.0).abs() };
+        let error = if same(got, wanted) {
+            0.0
+        } else {
+            (got / wanted - 1.0).abs()
+        };
         self.rows += 1;
         // Written so that a NaN is off and is the worst.
         if !(error <= tolerance) {
-            self.off.push(format!("{what}: {got:e}, not {wanted:e} (relative error {error:.1e})"));
+            self.off.push(format!(
+                "{what}: {got:e}, not {wanted:e} (relative error {error:.1e})"
+            ));
         }
         if !(error <= self.worst.0) {
             self.worst = (error, what);
@@ -46,10 +57,19 @@ impl Check {
 
 impl Drop for Check {
     fn drop(&mut self) {
-        println!("{}: {} rows, worst error {:.1e} at {}", self.file, self.rows, self.worst.0, self.worst.1);
+        println!(
+            "{}: {} rows, worst error {:.1e} at {}",
+            self.file, self.rows, self.worst.0, self.worst.1
+        );
         let missing = self.rows < 30;
         if !std::thread::panicking() {
-            assert!(self.off.is_empty() && !missing, "{} rows of {}:\n{}", self.off.len(), self.file, self.off.join("\n"));
+            assert!(
+                self.off.is_empty() && !missing,
+                "{} rows of {}:\n{}",
+                self.off.len(),
+                self.file,
+                self.off.join("\n")
+            );
         }
     }
 }
@@ -85,7 +105,12 @@ fn student_t_meets_its_oracle() {
         let (dof, t, p) = (number(row[0]), number(row[1]), number(row[2]));
         check.row(format!("dof {dof} t {t}"), student_t_sf(dof, t), p, 1e-10);
         check.row(format!("dof {dof} t -{t}"), student_t_sf(dof, -t), 1.0 - p, 1e-10);
-        check.row(format!("two-sided dof {dof} t {t}"), student_t_two_sided(dof, -t), 2.0 * p, 1e-10);
+        check.row(
+            format!("two-sided dof {dof} t {t}"),
+            student_t_two_sided(dof, -t),
+            2.0 * p,
+            1e-10,
+        );
     }
 }
 
@@ -97,7 +122,12 @@ fn binomial_meets_its_oracle() {
         let at = |side| format!("{side} n {n} p {p} k {k}");
         check.row(at("P_le"), binomial_cdf(n, p, k), number(row[3]), 1e-10);
         check.row(at("P_ge"), binomial_sf(n, p, k), number(row[4]), 1e-10);
-        check.row(at("two-sided"), binomial_two_sided(n, p, k), number(row[5]), 1e-10);
+        check.row(
+            at("two-sided"),
+            binomial_two_sided(n, p, k),
+            number(row[5]),
+            1e-10,
+        );
     }
 }
 
@@ -107,8 +137,18 @@ fn clopper_pearson_meets_its_oracle() {
     for row in rows(include_str!("../oracles/clopper_pearson.csv")) {
         let (n, k, alpha) = (count(row[0]), count(row[1]), number(row[2]));
         let (lower, upper) = clopper_pearson(n, k, alpha);
-        check.row(format!("lower n {n} k {k} alpha {alpha}"), lower, number(row[3]), 1e-10);
-        check.row(format!("upper n {n} k {k} alpha {alpha}"), upper, number(row[4]), 1e-10);
+        check.row(
+            format!("lower n {n} k {k} alpha {alpha}"),
+            lower,
+            number(row[3]),
+            1e-10,
+        );
+        check.row(
+            format!("upper n {n} k {k} alpha {alpha}"),
+            upper,
+            number(row[4]),
+            1e-10,
+        );
     }
 }
 
@@ -122,6 +162,11 @@ fn kolmogorov_smirnov_meets_its_oracle() {
             "exact" => (&mut exact, 1e-10),
             _ => (&mut scipy, 1e-4),
         };
-        check.row(format!("n {} d {}", row[0], row[1]), got, number(row[2]), tolerance);
+        check.row(
+            format!("n {} d {}", row[0], row[1]),
+            got,
+            number(row[2]),
+            tolerance,
+        );
     }
 }

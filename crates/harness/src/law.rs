@@ -32,28 +32,25 @@ impl Law {
     pub fn new(length: f64, slack: f64, survival: impl Fn(f64) -> f64) -> Self {
         let mut cells = FEWEST_CELLS;
         loop {
-            let edge = |k: usize| {
-                if k == cells {
-                    length
-                } else {
-                    length * k as f64 / cells as f64
-                }
-            };
-            let values: Vec<f64> = (0..=cells).map(|k| survival(edge(k))).collect();
-            let law = Self {
-                length,
-                scale: cells as f64 / length,
-                survival: values,
-                slack,
-            };
-            let heaviest = (0..cells)
-                .map(|k| law.mass(k))
-                .fold(0.0, |a, b| if b > a { b } else { a });
+            let law = Self::tabulate(length, slack, cells, &survival);
+            let heaviest = (0..cells).map(|k| law.mass(k)).fold(0.0, |a, b| if b > a { b } else { a });
             if heaviest * 2048.0 <= law.collided() || cells >= MOST_CELLS {
                 return law;
             }
             cells = 2 * (cells - 1) + 1;
         }
+    }
+
+    /// Another law on the same cells.
+    #[must_use]
+    pub fn with_survival(&self, slack: f64, survival: impl Fn(f64) -> f64) -> Self {
+        Self::tabulate(self.length, slack, self.cells(), &survival)
+    }
+
+    fn tabulate(length: f64, slack: f64, cells: usize, survival: &impl Fn(f64) -> f64) -> Self {
+        let edge = |k: usize| if k == cells { length } else { length * k as f64 / cells as f64 };
+        let survival = (0..=cells).map(|k| survival(edge(k))).collect();
+        Self { length, scale: cells as f64 / length, survival, slack }
     }
 
     /// Length of the ray.
@@ -127,14 +124,15 @@ impl Law {
         self.survival[from] - self.survival[to]
     }
 
-    /// About `wanted` groups of nearly equal probability.
+    /// At most `wanted` groups of nearly equal probability; fewer where one cell holds the share of several.
     #[must_use]
     pub fn groups(&self, wanted: usize) -> Groups {
-        let (total, mut bounds) = (self.collided(), vec![0]);
+        let (per_group, mut bounds, mut next) = (wanted as f64 / self.collided(), vec![0], 1.0);
         for k in 1..self.cells() {
-            let reached = self.mass_between(0, k) / total * wanted as f64;
-            if reached >= bounds.len() as f64 && bounds.len() < wanted {
+            let reached = self.mass_between(0, k) * per_group;
+            if reached >= next && wanted as f64 - reached >= 0.5 {
                 bounds.push(k);
+                next = reached.floor() + 1.0;
             }
         }
         bounds.push(self.cells());

@@ -8,4 +8,5 @@ pub mod real;
 pub mod results;
 pub mod special;
 pub mod tally;
+pub mod test;
 pub mod verdict;

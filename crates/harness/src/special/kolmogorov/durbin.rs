@@ -51,8 +51,17 @@ struct Matrix {
 impl Matrix {
     fn new(k: f64, h: f64) -> Self {
         let size = 2 * k as usize - 1;
-        let corner = if h > 0.5 && size < BAND { powers_over_factorials(2.0 * h - 1.0)[size] } else { 0.0 };
-        Self { size, entries: powers_over_factorials(1.0), edges: powers_over_factorials(h), corner }
+        let corner = if h > 0.5 && size < BAND {
+            powers_over_factorials(2.0 * h - 1.0)[size]
+        } else {
+            0.0
+        };
+        Self {
+            size,
+            entries: powers_over_factorials(1.0),
+            edges: powers_over_factorials(h),
+            corner,
+        }
     }
 
     fn apply(&self, v: &[f64], out: &mut [f64]) {
