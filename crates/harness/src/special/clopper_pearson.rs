@@ -7,8 +7,8 @@ use super::binomial::Trials;
 /// ```
 ///
 /// Domain: k <= n and 0 < alpha < 1, else (NaN, NaN); n = 0 gives (0, 1). Accuracy: 1e-12 relative in each limit, at
-/// any n to 1e9. Source: Clopper and Pearson (1934), solved by Newton's rule. statrs 0.19.1 hangs at n = 1e7 with
-/// k = 0, 1, n - 1 or n, and is off by 1.3e-4 at n = 1e6, k = 0.
+/// any n to 1e9. Source: Clopper and Pearson (1934), solved by Newton's rule. statrs 0.19.1 does
+/// not return at n = 1e7 with k = 0, 1, n - 1 or n, and is off by 1.3e-4 at n = 1e6, k = 0.
 #[must_use]
 pub fn clopper_pearson(n: u64, k: u64, alpha: f64) -> (f64, f64) {
     if k > n || !(alpha > 0.0 && alpha < 1.0) {
@@ -28,9 +28,17 @@ fn lower_limit(n: f64, k: f64, ln_tail: f64) -> Trials {
         return Trials { n, p: 0.0, q: 1.0 };
     }
     if k >= n {
-        return Trials { n, p: libm::exp(ln_tail / n), q: -libm::expm1(ln_tail / n) };
+        return Trials {
+            n,
+            p: libm::exp(ln_tail / n),
+            q: -libm::expm1(ln_tail / n),
+        };
     }
-    let mut trials = Trials { n, p: k / n, q: (n - k) / n };
+    let mut trials = Trials {
+        n,
+        p: k / n,
+        q: (n - k) / n,
+    };
     for _ in 0..1000 {
         let ln_above = trials.ln_at_least(k);
         let slope = k * trials.q * libm::exp(trials.ln_mass(k) - ln_above);
@@ -41,11 +49,19 @@ fn lower_limit(n: f64, k: f64, ln_tail: f64) -> Trials {
             return trials;
         }
     }
-    Trials { n, p: f64::NAN, q: f64::NAN }
+    Trials {
+        n,
+        p: f64::NAN,
+        q: f64::NAN,
+    }
 }
 
 /// The trials with their odds p / q multiplied.
 fn with_odds(trials: Trials, factor: f64) -> Trials {
     let sum = trials.q + trials.p * factor;
-    Trials { p: trials.p * factor / sum, q: trials.q / sum, ..trials }
+    Trials {
+        p: trials.p * factor / sum,
+        q: trials.q / sum,
+        ..trials
+    }
 }
