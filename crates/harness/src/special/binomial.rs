@@ -8,7 +8,7 @@ use super::saddle_point::{LN_SQRT_TAU, deviance, stirling_error};
 /// P(X <= k) = I_(1-p)(n - k, k + 1)
 /// ```
 ///
-/// Domain: 0 <= p <= 1, else NaN; n exact below 2^53. Accuracy: 1e-11 to n = 1e9.
+/// Domain: 0 <= p <= 1, else NaN; n exact below 2^53. Accuracy: 1e-12 to n = 1e9.
 /// Source: Loader (2000) for the mass, DiDonato and Morris (1992) for the tail over it. statrs 0.19.1 is off by 1e-9 at
 /// n = 1e5 and by 2e-3 at n = 1e6.
 #[must_use]
@@ -91,7 +91,7 @@ impl Trials {
     /// ln P(X >= k) for k above the mean.
     fn ln_upper_tail(self, k: f64) -> f64 {
         let lambda = self.excess(k) - self.p;
-        let fraction = beta_fraction(k, self.n - k + 1.0, self.q, lambda);
+        let fraction = beta_fraction(k, self.n - k + 1.0, (self.p, self.q), lambda);
         self.ln_mass(k) + libm::log(k * self.q / fraction)
     }
 

@@ -7,8 +7,8 @@ use super::binomial::Trials;
 /// ```
 ///
 /// Domain: k <= n and 0 < alpha < 1, else (NaN, NaN); n = 0 gives (0, 1). Accuracy: 1e-12 relative in each limit, at
-/// any n to 1e9. Source: Clopper and Pearson (1934), solved by Newton's rule. statrs 0.19.1 hangs at n = 1e7 with
-/// k = 0, 1, n - 1 or n, and is off by 1.3e-4 at n = 1e6, k = 0.
+/// any n to 1e9. Source: Clopper and Pearson (1934), solved by Newton's rule. statrs 0.19.1 does
+/// not return at n = 1e7 with k = 0, 1, n - 1 or n, and is off by 1.3e-4 at n = 1e6, k = 0.
 #[must_use]
 pub fn clopper_pearson(n: u64, k: u64, alpha: f64) -> (f64, f64) {
     if k > n || !(alpha > 0.0 && alpha < 1.0) {

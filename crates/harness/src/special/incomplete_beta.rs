@@ -9,8 +9,7 @@ use super::fraction::continued_fraction;
 /// ```
 ///
 /// Converges fast for lambda > 0. `y` and `lambda` are asked for because both cancel when made from x.
-pub(super) fn beta_fraction(a: f64, b: f64, y: f64, lambda: f64) -> f64 {
-    let x = 1.0 - y;
+pub(super) fn beta_fraction(a: f64, b: f64, (x, y): (f64, f64), lambda: f64) -> f64 {
     continued_fraction(a * (lambda + 1.0) / (a + 1.0), |m| {
         let s = a + 2.0 * m;
         let w = m * (b - m) * x / (s - 1.0);

@@ -18,8 +18,9 @@ const EXACT: u64 = 2000;
 /// ```
 ///
 /// Domain: n >= 1, else NaN; any d. Accuracy: 1e-10 for n <= 2000; above, 1e-10 where n d^2 > 4.2 (p < 4.5e-4) and
-/// 1e-6 elsewhere. Source: Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951), joined much as by Simard and
-/// L'Ecuyer (2011). statrs 0.19.1 gives 1.0 for 7e-57 at n = 1030, NaN from n = 2000 and does not return at n = 1e6.
+/// 2e-7 elsewhere. Source: Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951), joined much as by Simard and
+/// L'Ecuyer (2011). statrs 0.19.1 gives 1.0 for 7e-57 at n = 1030 and NaN from n = 2000; its limit law is off by a
+/// factor of 3 there.
 #[doc(alias = "kolmogorov")]
 #[must_use]
 pub fn ks_two_sided(n: u64, d: f64) -> f64 {

@@ -10,7 +10,7 @@ use super::incomplete_gamma::gamma_tails;
 /// Domain: 0 <= mean < infinity, else NaN; k exact below 2^53. Accuracy and source: as [`super::chi_square_sf`].
 #[must_use]
 pub fn poisson_sf(mean: f64, k: u64) -> f64 {
-    if !(mean >= 0.0 && mean < f64::INFINITY) {
+    if !(0.0..f64::INFINITY).contains(&mean) {
         f64::NAN
     } else if k == 0 {
         1.0
@@ -30,7 +30,7 @@ pub fn poisson_sf(mean: f64, k: u64) -> f64 {
 /// Domain, accuracy and source: as [`poisson_sf`].
 #[must_use]
 pub fn poisson_cdf(mean: f64, k: u64) -> f64 {
-    if !(mean >= 0.0 && mean < f64::INFINITY) {
+    if !(0.0..f64::INFINITY).contains(&mean) {
         f64::NAN
     } else if mean <= 0.0 {
         1.0

@@ -29,14 +29,9 @@ pub(super) fn deviance(k: f64, mean: f64, excess: f64) -> f64 {
     if v.abs() >= 0.2 {
         return k * libm::log(k / mean) - excess;
     }
-    let (mut power, mut odd, mut sum) = (v, 1.0, 0.0);
-    loop {
-        power *= v * v;
-        odd += 2.0;
-        let next = sum + power / odd;
-        if next == sum || next.is_nan() {
-            return excess * v + 2.0 * k * sum;
-        }
-        sum = next;
-    }
+    let odd_powers = (3..30)
+        .step_by(2)
+        .rev()
+        .fold(0.0, |sum, odd| sum * v * v + 1.0 / f64::from(odd));
+    excess * v + 2.0 * k * odd_powers * v * v * v
 }

