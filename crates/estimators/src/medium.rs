@@ -4,8 +4,16 @@ use crate::extinction::Medium;
 use crate::parameter::ParameterError;
 use std::sync::Arc;
 
+mod box_spike;
 mod constant;
+mod exponential;
 mod gaussian;
+mod linear;
+mod pieces;
+mod piecewise_constant;
+mod piecewise_linear;
+mod ramp;
+mod sinusoid;
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
@@ -57,7 +65,13 @@ crate::list::list! {
     /// Every medium that a case can name.
     pub enum AnyMedium: dyn Describe {
         constant::Constant,
+        linear::Linear,
+        exponential::Exponential,
         gaussian::Gaussian,
+        sinusoid::Sinusoid,
+        box_spike::BoxSpike,
+        piecewise_constant::PiecewiseConstant,
+        piecewise_linear::PiecewiseLinear,
     }
 }
 
