@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 mod constant;
 mod gaussian;
+pub mod voxel_grid;
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
@@ -58,6 +59,7 @@ crate::list::list! {
     pub enum AnyMedium: dyn Describe {
         constant::Constant,
         gaussian::Gaussian,
+        voxel_grid::VoxelGrid,
     }
 }
 
