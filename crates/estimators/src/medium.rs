@@ -21,6 +21,7 @@ mod sinusoid;
 mod view;
 
 pub use chromatic::ChromaticMedium;
+pub mod voxel_grid;
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
@@ -76,6 +77,7 @@ crate::list::list! {
         scaled::Scaled,
         reversed::Reversed,
         segment::Segment,
+        voxel_grid::VoxelGrid,
     }
 }
 

@@ -1,0 +1,156 @@
+use super::grid::{Filter, Grid};
+use crate::simd;
+
+/// How many look-ups the three passes of a tile take together: small enough for the first cache.
+const PART: usize = 64;
+const INTEGERS: f64 = 4_503_599_627_370_496.0; // 2^52: adding it rounds to an integer and shows it in the low bits
+const NOWHERE: f64 = 2_147_483_648.0; // beyond every array
+
+/// `u` held to [0, top]; NaN stays.
+#[inline(always)]
+pub(super) fn hold(u: f64, top: f64) -> f64 {
+    let u = if u < 0.0 { 0.0 } else { u };
+    if u > top { top } else { u }
+}
+
+/// How the ray runs along one axis, in cells of the filter: cell k lies between the positions k and k + 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axis {
+    /// Position at t = 0.
+    pub(super) start: f64,
+    /// Cells per length.
+    pub(super) slope: f64,
+    /// The value there is held beyond this position, as the value at 0 is below it.
+    pub(super) top: f64,
+    /// The last cell.
+    pub(super) last: f64,
+}
+
+impl Axis {
+    #[inline(always)]
+    pub(super) fn position(&self, t: f64) -> f64 {
+        self.start + t * self.slope
+    }
+
+    /// The cell at `t`, and the place in it from 0 to 1.
+    #[inline(always)]
+    pub(super) fn locate(&self, t: f64) -> (f64, f64) {
+        let u = hold(self.position(t), self.top);
+        let near = (u + INTEGERS) - INTEGERS;
+        let floor = if near > u { near - 1.0 } else { near };
+        let cell = if floor > self.last { self.last } else { floor };
+        (cell, u - cell)
+    }
+}
+
+/// The look-up along one ray, as a renderer makes it: locate the cell, gather its corners, blend.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    grid: Grid,
+    axes: [Axis; 3],
+    strides: [f64; 3],
+}
+
+impl Line {
+    pub(super) fn new(grid: Grid, axes: [Axis; 3]) -> Self {
+        let [nx, ny, _] = grid.shape().map(|n| n as f64);
+        Self {
+            grid,
+            axes,
+            strides: [1.0, nx, nx * ny],
+        }
+    }
+
+    pub(super) fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    pub(super) fn axes(&self) -> &[Axis; 3] {
+        &self.axes
+    }
+
+    #[inline(always)]
+    pub(super) fn mu(&self, t: f64) -> f64 {
+        let (index, place) = self.locate(t);
+        match self.grid.filter() {
+            Filter::Nearest => self.grid.rescale().extinction(self.grid.value(index as usize)),
+            Filter::Trilinear => blend(&self.corners(index), place),
+        }
+    }
+
+    pub(super) fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
+        simd::dispatch(
+            #[inline(always)]
+            || match self.grid.filter() {
+                Filter::Nearest => self.nearest(t, mu),
+                Filter::Trilinear => self.trilinear(t, mu),
+            },
+        );
+    }
+
+    /// The extinction at the corners of the cell that starts at `index`, x fastest.
+    #[inline(always)]
+    pub(super) fn corners(&self, index: u32) -> [f64; 8] {
+        let rescale = self.grid.rescale();
+        self.grid.corners(index as usize).map(|v| rescale.extinction(v))
+    }
+
+    /// The first corner of the cell at `t`, and the place in the cell along each axis. Without branches.
+    #[inline(always)]
+    pub(super) fn locate(&self, t: f64) -> (u32, [f64; 3]) {
+        let (mut flat, mut place) = (0.0, [0.0; 3]);
+        for ((axis, stride), place) in self.axes.iter().zip(self.strides).zip(&mut place) {
+            let cell;
+            (cell, *place) = axis.locate(t);
+            flat += cell * stride;
+        }
+        let inside = if flat >= 0.0 { flat } else { NOWHERE }; // NaN finds no voxel
+        ((inside + INTEGERS).to_bits() as u32, place)
+    }
+
+    /// Addresses vectorise; the gather does not.
+    #[inline(always)]
+    fn nearest(&self, t: &[f64], mu: &mut [f64]) {
+        let rescale = self.grid.rescale();
+        let mut index = [0; PART];
+        for (t, mu) in t.chunks(PART).zip(mu.chunks_mut(PART)) {
+            for (index, &t) in index.iter_mut().zip(t) {
+                *index = self.locate(t).0;
+            }
+            for (mu, &i) in mu.iter_mut().zip(&index) {
+                *mu = rescale.extinction(self.grid.value(i as usize));
+            }
+        }
+    }
+
+    /// Addresses vectorise over the look-ups. The gather does not, so each look-up blends its own pairs of corners two at
+    /// a time: faster than to lay the corners out for a third pass across the look-ups.
+    #[inline(always)]
+    fn trilinear(&self, t: &[f64], mu: &mut [f64]) {
+        let mut index = [0; PART];
+        let mut place = [[0.0; PART]; 3];
+        for (t, mu) in t.chunks(PART).zip(mu.chunks_mut(PART)) {
+            for (i, &t) in t.iter().take(PART).enumerate() {
+                let at;
+                (index[i], at) = self.locate(t);
+                (place[0][i], place[1][i], place[2][i]) = (at[0], at[1], at[2]);
+            }
+            for (i, mu) in mu.iter_mut().take(PART).enumerate() {
+                *mu = blend(&self.corners(index[i]), [place[0][i], place[1][i], place[2][i]]);
+            }
+        }
+    }
+}
+
+/// The trilinear blend of eight corners, x fastest: y, then z, for both ends in x at once, then x.
+///
+/// It never leaves the range of the corners by more than rounding, nor falls below 0.
+#[inline(always)]
+pub(super) fn blend(c: &[f64; 8], [x, y, z]: [f64; 3]) -> f64 {
+    let lerp = |a: f64, b: f64, s: f64| a + (b - a) * s;
+    let both = |a: [f64; 2], b: [f64; 2], s: f64| [lerp(a[0], b[0], s), lerp(a[1], b[1], s)];
+    let low = both([c[0], c[1]], [c[2], c[3]], y);
+    let high = both([c[4], c[5]], [c[6], c[7]], y);
+    let [a, b] = both(low, high, z);
+    lerp(a, b, x)
+}
