@@ -16,7 +16,7 @@ mod surroundings;
 
 pub use error::CaseError;
 pub use faults::Faults;
-pub use prepare::{Prepared, PreparedSubject, World};
+pub use prepare::{Expected, Limits, Prepared, PreparedSubject, World, hash};
 pub use subject::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.
@@ -166,6 +166,10 @@ impl CaseFile {
     pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
         let source = Source::new(path.display().to_string(), text)?;
         let case = source.read()?;
-        Ok(Self { path: path.to_path_buf(), source, case })
+        Ok(Self {
+            path: path.to_path_buf(),
+            source,
+            case,
+        })
     }
 }

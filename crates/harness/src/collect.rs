@@ -78,10 +78,23 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
-        let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
+        let joint = plan
+            .law
+            .as_ref()
+            .filter(|law| law.coleman)
+            .map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts { cells, collisions, ..Counts::default() };
-        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
+        let counts = Counts {
+            cells,
+            collisions,
+            ..Counts::default()
+        };
+        Self {
+            draws: columns(subject, BLOCK),
+            index: Vec::new(),
+            masked: Vec::new(),
+            counts,
+        }
     }
 
     fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: u64) -> Result<BlockSums, String> {
@@ -90,12 +103,22 @@ impl Worker {
         self.counts.lookups.observe(record.audit.lookups);
         self.count(plan);
         let early = if first == 0 { self.early(plan) } else { Vec::new() };
-        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+        let mean = plan
+            .mean
+            .as_ref()
+            .map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
+        Ok(BlockSums {
+            mean,
+            channels: self.channels(plan),
+            seconds: record.seconds,
+            early,
+        })
     }
 
     fn count(&mut self, plan: &Plan) {
-        let Self { draws, index, counts, .. } = self;
+        let Self {
+            draws, index, counts, ..
+        } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
             if let Some(scores) = &law.scores {
@@ -115,11 +138,16 @@ impl Worker {
         let Some(mean) = &plan.mean else { return Vec::new() };
         let counts = (0..64).map(|i| (64.0 * libm::pow(1.09, f64::from(i))) as usize);
         let part = |n: usize| PowerSums::of(mean.truth.expected, &self.draws.weight[..n]);
-        counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
+        counts
+            .take_while(|&n| n < self.draws.weight.len())
+            .map(part)
+            .collect()
     }
 
     fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
-        let Some(channels) = &plan.channels else { return Vec::new() };
+        let Some(channels) = &plan.channels else {
+            return Vec::new();
+        };
         let Self { draws, masked, .. } = self;
         let mut one = |claim: &crate::plan::ChannelClaim| {
             let column = &draws.channels[claim.channel];
@@ -154,13 +182,20 @@ impl Counts {
 impl Collected {
     fn new(plan: &Plan) -> Self {
         let sums = |claim: &crate::plan::ChannelClaim| {
-            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
+            (
+                PowerSums::new(claim.mean.expected),
+                PowerSums::new(claim.second_moment.unwrap_or(0.0)),
+            )
         };
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
-            channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
+            channels: plan
+                .channels
+                .iter()
+                .flat_map(|channels| channels.claims.iter().map(sums))
+                .collect(),
             draws: 0,
             seconds: 0.0,
         }
@@ -206,7 +241,11 @@ pub fn collect(
     let mut collected = Collected::new(plan);
     let mut start = blocks.start;
     while start < blocks.end {
-        let end = if start + WAVE < blocks.end { start + WAVE } else { blocks.end };
+        let end = if start + WAVE < blocks.end {
+            start + WAVE
+        } else {
+            blocks.end
+        };
         let wave: Vec<Result<BlockSums, String>> = (start..end)
             .into_par_iter()
             .map(|block| {
@@ -216,7 +255,11 @@ pub fn collect(
                 if watch.cancelled.load(Ordering::Relaxed) {
                     return Err(String::new());
                 }
-                let key = Key { seed, subject: subject.key, block };
+                let key = Key {
+                    seed,
+                    subject: subject.key,
+                    block,
+                };
                 worker.run(subject, plan, key, block * BLOCK as u64)
             })
             .collect();
@@ -229,7 +272,9 @@ pub fn collect(
         (watch.progress)((end - start) * BLOCK as u64);
         start = end;
     }
-    let parts = workers.into_iter().filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
+    let parts = workers
+        .into_iter()
+        .filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
     let mut parts = parts.map(|worker| worker.counts);
     if let Some(first) = parts.next() {
         collected.counts = parts.fold(first, |mut all, part| {

@@ -18,9 +18,18 @@ pub struct Adjusted(pub Vec<Vec<Option<f64>>>);
 #[must_use]
 pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> Adjusted {
     let evidence = |judged: Option<&'a Judged>| judged.map_or(&[][..], |judged| &judged.evidence);
-    let all: Vec<f64> = judged.clone().flat_map(evidence).filter_map(|evidence| evidence.p).collect();
+    let all: Vec<f64> = judged
+        .clone()
+        .flat_map(evidence)
+        .filter_map(|evidence| evidence.p)
+        .collect();
     let mut adjusted = holm(&all).into_iter();
-    let of = |judged| evidence(judged).iter().map(|e| e.p.and_then(|_| adjusted.next())).collect();
+    let of = |judged| {
+        evidence(judged)
+            .iter()
+            .map(|e| e.p.and_then(|_| adjusted.next()))
+            .collect()
+    };
     Adjusted(judged.map(of).collect())
 }
 
@@ -58,11 +67,22 @@ pub struct Stage<'a> {
 
 impl Stage<'_> {
     fn rejections(&self) -> Vec<(Reason, String)> {
-        let rejected = self.judged.evidence.iter().zip(self.adjusted).filter(|(_, adjusted)| rejects(**adjusted));
+        let rejected = self
+            .judged
+            .evidence
+            .iter()
+            .zip(self.adjusted)
+            .filter(|(_, adjusted)| rejects(**adjusted));
         let sentence = |p: f64, adjusted: f64| format!("p = {p:.2e}, {adjusted:.2e} after Holm");
         let note = rejected.map(|(evidence, adjusted)| {
             let numbers = sentence(evidence.p.unwrap_or(0.0), adjusted.unwrap_or(0.0));
-            (evidence.reason, format!("{} rejects: {numbers} (statistic {:.4})", evidence.name, evidence.statistic))
+            (
+                evidence.reason,
+                format!(
+                    "{} rejects: {numbers} (statistic {:.4})",
+                    evidence.name, evidence.statistic
+                ),
+            )
         });
         note.collect()
     }
@@ -71,7 +91,10 @@ impl Stage<'_> {
 /// Facts fail at once; a rejection fails if both stages make one; what is left open is inconclusive.
 #[must_use]
 pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
-    let (one, two) = (first.rejections(), second.map(|stage| stage.rejections()).unwrap_or_default());
+    let (one, two) = (
+        first.rejections(),
+        second.map(|stage| stage.rejections()).unwrap_or_default(),
+    );
     let mut found: Vec<(Reason, String)> = first.judged.facts.clone();
     if !one.is_empty() && !two.is_empty() {
         found.extend(two);
@@ -97,7 +120,11 @@ fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
     found.sort_by_key(|(reason, _)| *reason);
     let mut reasons: Vec<Reason> = found.iter().map(|(reason, _)| *reason).collect();
     reasons.dedup();
-    Decision { verdict, reasons, notes: found.into_iter().map(|(_, note)| note).collect() }
+    Decision {
+        verdict,
+        reasons,
+        notes: found.into_iter().map(|(_, note)| note).collect(),
+    }
 }
 
 #[cfg(test)]
@@ -106,15 +133,34 @@ mod tests {
     use crate::evidence::Evidence;
 
     fn judged(p: &[f64]) -> Judged {
-        let evidence = p.iter().map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased)).collect();
-        Judged { evidence, ..Judged::default() }
+        let evidence = p
+            .iter()
+            .map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased))
+            .collect();
+        Judged {
+            evidence,
+            ..Judged::default()
+        }
     }
 
     fn verdict(one: &[f64], two: Option<&[f64]>) -> Verdict {
         let (one, two) = (judged(one), two.map(judged));
-        let (a, b) = (adjust([Some(&one)].into_iter()), adjust([two.as_ref()].into_iter()));
-        let second = two.as_ref().map(|judged| Stage { judged, adjusted: &b.0[0] });
-        decide(Stage { judged: &one, adjusted: &a.0[0] }, second).verdict
+        let (a, b) = (
+            adjust([Some(&one)].into_iter()),
+            adjust([two.as_ref()].into_iter()),
+        );
+        let second = two.as_ref().map(|judged| Stage {
+            judged,
+            adjusted: &b.0[0],
+        });
+        decide(
+            Stage {
+                judged: &one,
+                adjusted: &a.0[0],
+            },
+            second,
+        )
+        .verdict
     }
 
     #[test]
@@ -133,10 +179,22 @@ mod tests {
 
     #[test]
     fn a_fact_fails_without_p_values() {
-        let fact = Judged { facts: vec![(Reason::BoundViolated, "1".into())], ..judged(&[0.5]) };
+        let fact = Judged {
+            facts: vec![(Reason::BoundViolated, "1".into())],
+            ..judged(&[0.5])
+        };
         let adjusted = adjust([Some(&fact)].into_iter());
-        let decision = decide(Stage { judged: &fact, adjusted: &adjusted.0[0] }, None);
-        assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::BoundViolated]));
+        let decision = decide(
+            Stage {
+                judged: &fact,
+                adjusted: &adjusted.0[0],
+            },
+            None,
+        );
+        assert_eq!(
+            (decision.verdict, decision.reasons),
+            (Verdict::Fail, vec![Reason::BoundViolated])
+        );
     }
 
     #[test]

@@ -69,13 +69,31 @@ impl Fault {
     pub const NAMES: &[(&str, &str)] = &[
         ("short_majorant", "the majorant is a factor of what it should be"),
         ("clamped_density", "the majorant is short and mu is clamped to it"),
-        ("shifted_lookup", "every look-up is off by a distance, such as half a step"),
-        ("stale_position", "the collision test uses mu at the position before the step"),
-        ("channel_pdf", "chromatic weights are divided by the pdf of one channel alone"),
-        ("uncompensated_roulette", "survivors of a roulette keep their weight"),
+        (
+            "shifted_lookup",
+            "every look-up is off by a distance, such as half a step",
+        ),
+        (
+            "stale_position",
+            "the collision test uses mu at the position before the step",
+        ),
+        (
+            "channel_pdf",
+            "chromatic weights are divided by the pdf of one channel alone",
+        ),
+        (
+            "uncompensated_roulette",
+            "survivors of a roulette keep their weight",
+        ),
         ("nan_draw", "one walk of so many gives NaN"),
-        ("duplicated_draws", "now and then a draw repeats the one before it"),
-        ("completion_order", "draws are handed out in the order in which walks end"),
+        (
+            "duplicated_draws",
+            "now and then a draw repeats the one before it",
+        ),
+        (
+            "completion_order",
+            "draws are handed out in the order in which walks end",
+        ),
     ];
 
     /// The fault's name in a case.
@@ -100,12 +118,20 @@ impl Fault {
     /// Naming the value and what is allowed.
     pub fn check(&self) -> Result<(), ParameterError> {
         match *self {
-            Self::ShortMajorant { factor } | Self::ClampedDensity { factor } => positive("factor", factor).map(drop),
+            Self::ShortMajorant { factor } | Self::ClampedDensity { factor } => {
+                positive("factor", factor).map(drop)
+            }
             Self::ShiftedLookup { by } => finite("by", by).map(drop),
             Self::StalePosition {} | Self::ChannelPdf { .. } => Ok(()),
             Self::UncompensatedRoulette { below, survival } => {
                 finite("below", below)?;
-                require(survival > 0.0 && survival < 1.0, "survival", survival, "between 0 and 1").map(drop)
+                require(
+                    survival > 0.0 && survival < 1.0,
+                    "survival",
+                    survival,
+                    "between 0 and 1",
+                )
+                .map(drop)
             }
             Self::NanDraw { walk, of } => require(walk < of, "walk", walk, "less than `of`").map(drop),
             Self::DuplicatedDraws { share } => {
@@ -140,6 +166,9 @@ impl Fault {
     /// Whether the fault stands between the subject and its look-ups.
     #[must_use]
     pub fn spoils_lookups(&self) -> bool {
-        matches!(self, Self::ClampedDensity { .. } | Self::ShiftedLookup { .. } | Self::StalePosition {})
+        matches!(
+            self,
+            Self::ClampedDensity { .. } | Self::ShiftedLookup { .. } | Self::StalePosition {}
+        )
     }
 }

@@ -33,7 +33,9 @@ impl Law {
         let mut cells = FEWEST_CELLS;
         loop {
             let law = Self::tabulate(length, slack, cells, &survival);
-            let heaviest = (0..cells).map(|k| law.mass(k)).fold(0.0, |a, b| if b > a { b } else { a });
+            let heaviest = (0..cells)
+                .map(|k| law.mass(k))
+                .fold(0.0, |a, b| if b > a { b } else { a });
             if heaviest * 2048.0 <= law.collided() || cells >= MOST_CELLS {
                 return law;
             }
@@ -48,9 +50,20 @@ impl Law {
     }
 
     fn tabulate(length: f64, slack: f64, cells: usize, survival: &impl Fn(f64) -> f64) -> Self {
-        let edge = |k: usize| if k == cells { length } else { length * k as f64 / cells as f64 };
+        let edge = |k: usize| {
+            if k == cells {
+                length
+            } else {
+                length * k as f64 / cells as f64
+            }
+        };
         let survival = (0..=cells).map(|k| survival(edge(k))).collect();
-        Self { length, scale: cells as f64 / length, survival, slack }
+        Self {
+            length,
+            scale: cells as f64 / length,
+            survival,
+            slack,
+        }
     }
 
     /// Length of the ray.

@@ -45,7 +45,11 @@ impl Plan {
     pub fn of(subject: &Subject) -> Self {
         let mut plan = match (subject.work, subject.scene) {
             (Work::Exact, Scene::Grey { truth, .. }) => {
-                let claims = FreePathClaims { bounded: false, lookups: Some(0.0), ..FreePathClaims::default() };
+                let claims = FreePathClaims {
+                    bounded: false,
+                    lookups: Some(0.0),
+                    ..FreePathClaims::default()
+                };
                 Self::free_path(subject, truth, &claims)
             }
             (Work::FreePath(sampler), Scene::Grey { truth, .. }) => {
@@ -110,9 +114,16 @@ impl Plan {
 
     fn chromatic(subject: &Subject, sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Self {
         let claims = sampler.claims(&medium.channels());
-        let law = claims.mixture.as_ref().map(|mixture| LawPlan::of_mixture(subject, medium, mixture));
+        let law = claims
+            .mixture
+            .as_ref()
+            .map(|mixture| LawPlan::of_mixture(subject, medium, mixture));
         let channels = ChannelsPlan::of(subject, sampler, medium, &claims);
-        Self { law, channels: Some(channels), ..Self::nothing() }
+        Self {
+            law,
+            channels: Some(channels),
+            ..Self::nothing()
+        }
     }
 }
 
@@ -132,5 +143,8 @@ fn spread(moments: &[f64; 6]) -> (f64, f64) {
     let [m1, m2, m3, ..] = *moments;
     let variance = m2 - m1 * m1;
     let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
-    (if variance > 0.0 { variance } else { 0.0 }, third / (variance * variance.sqrt()))
+    (
+        if variance > 0.0 { variance } else { 0.0 },
+        third / (variance * variance.sqrt()),
+    )
 }

@@ -27,7 +27,7 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
     match (subject.work, subject.scene) {
         (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_collisions(),
         (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
-        (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.channels.len()),
+        (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.media().len()),
         (Work::Chromatic(_), Scene::Grey { .. }) => draws,
     }
 }
@@ -36,7 +36,12 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
-pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
+pub fn sample_block(
+    subject: &Subject,
+    key: Key,
+    first: u64,
+    draws: &mut Draws,
+) -> Result<BlockRecord, String> {
     let budget = BUDGET_PER_DRAW.saturating_mul(draws.rows as u64);
     let streams = Streams::new(key).with_budget(budget);
     let started = Instant::now();
@@ -46,11 +51,19 @@ pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) 
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if spent {
-        return Err(format!("more than {budget} look-ups in a block of {} draws", draws.rows));
+        return Err(format!(
+            "more than {budget} look-ups in a block of {} draws",
+            draws.rows
+        ));
     }
-    let record = BlockRecord { audit, seconds: started.elapsed().as_secs_f64() };
+    let record = BlockRecord {
+        audit,
+        seconds: started.elapsed().as_secs_f64(),
+    };
     let place = BlockPlace { key, first };
-    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
+    lay_over_draws(subject.faults, place, draws, &|channel, t| {
+        mixture_over_channel(subject, channel, t)
+    });
     Ok(record)
 }
 
@@ -59,7 +72,9 @@ fn why(payload: &(dyn Any + Send)) -> String {
         return "the subject ran past its budget of look-ups or random words".into();
     }
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
-    let text = text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default();
+    let text = text
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .unwrap_or_default();
     format!("the subject panicked: {text}")
 }
 
@@ -101,10 +116,14 @@ fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams
         medium.begin();
         let path = match work {
             Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
-            Work::Transmittance(estimator) => {
-                FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
+            Work::Transmittance(estimator) => FreePath {
+                t: f64::INFINITY,
+                weight: estimator.estimate(medium, &mut rng),
+                collisions: 0,
+            },
+            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
+                return from_truth(work, truth, streams, draws);
             }
-            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => return from_truth(work, truth, streams, draws),
         };
         draws.put(row, path.t, path.weight, path.collisions);
     }
@@ -115,7 +134,11 @@ fn from_truth(work: Work, truth: &dyn Medium, streams: &Streams, draws: &mut Dra
     let transmittance = libm::exp(-truth.tau(truth.length()));
     let mut rng = streams.rng();
     for row in 0..draws.rows {
-        let t = if let Work::Exact = work { truth.inverse_tau(exponential(&mut rng)) } else { f64::INFINITY };
+        let t = if let Work::Exact = work {
+            truth.inverse_tau(exponential(&mut rng))
+        } else {
+            f64::INFINITY
+        };
         draws.put(row, t, transmittance, 0);
     }
 }
@@ -127,11 +150,22 @@ fn chromatic(
     budget: u64,
     draws: &mut Draws,
 ) -> (Audit, bool) {
-    let Work::Chromatic(sampler) = subject.work else { return (Audit::default(), false) };
+    let Work::Chromatic(sampler) = subject.work else {
+        return (Audit::default(), false);
+    };
     let channels = medium.channels();
-    let audited: Vec<Audited> = channels.iter().map(|c| Audited::new(c.extinction, budget, 1e-12)).collect();
-    let seen: Vec<Channel> =
-        audited.iter().zip(&channels).map(|(a, c)| Channel { extinction: a, albedo: c.albedo }).collect();
+    let audited: Vec<Audited> = channels
+        .iter()
+        .map(|c| Audited::new(c.extinction, budget, 1e-12))
+        .collect();
+    let seen: Vec<Channel> = audited
+        .iter()
+        .zip(&channels)
+        .map(|(a, c)| Channel {
+            extinction: a,
+            albedo: c.albedo,
+        })
+        .collect();
     if subject.route == Route::Scalar {
         let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
         for row in 0..draws.rows {
@@ -144,16 +178,27 @@ fn chromatic(
     } else {
         sampler.sample_block(&seen, streams, draws);
     }
-    let record = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
+    let record = audited
+        .iter()
+        .map(Audited::record)
+        .fold(Audit::default(), Audit::plus);
     (record, audited.iter().any(Audited::spent))
 }
 
 /// The pdf of the mixture over that of one channel, at t or at the surface.
 fn mixture_over_channel(subject: &Subject, channel: usize, t: f64) -> f64 {
-    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else { return 1.0 };
+    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
+        return 1.0;
+    };
     let channels = medium.channels();
-    let Some(one) = channels.get(channel) else { return f64::NAN };
+    let Some(one) = channels.get(channel) else {
+        return f64::NAN;
+    };
     let (mu, length) = (one.extinction.mu(0.0), medium.length());
-    let alone = if t.is_finite() { mu * libm::exp(-mu * t) } else { libm::exp(-mu * length) };
+    let alone = if t.is_finite() {
+        mu * libm::exp(-mu * t)
+    } else {
+        libm::exp(-mu * length)
+    };
     sampler.pdf(&channels, t).unwrap_or(f64::NAN) / alone
 }

@@ -17,6 +17,7 @@ pub use coleman::coleman;
 pub use kolmogorov::kolmogorov;
 pub use lag::lag;
 pub use lookups::{BlockLookups, lookups};
+pub(crate) use mean::bernstein_width;
 pub use mean::{Interval, MeanClaim, Method, mean};
 pub use poisson_count::poisson_count;
 pub use second_moment::second_moment;
@@ -36,6 +37,12 @@ pub const NAMES: &[(&str, &str)] = &[
     ("mean", mean::WORDS),
     ("second_moment", second_moment::WORDS),
     ("lookups", lookups::WORDS),
-    ("pdf_integral", "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise."),
-    ("bound", "A fact, not a p-value: one look-up above the majorant fails a subject that relies on the bound."),
+    (
+        "pdf_integral",
+        "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",
+    ),
+    (
+        "bound",
+        "A fact, not a p-value: one look-up above the majorant fails a subject that relies on the bound.",
+    ),
 ];

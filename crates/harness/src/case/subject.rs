@@ -5,7 +5,7 @@ use freepath_estimators::free_path::AnyFreePath;
 use freepath_estimators::transmittance::AnyTransmittance;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, Visitor};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::fmt;
@@ -70,7 +70,7 @@ macro_rules! with_own {
             }
         }
 
-        impl<'de> serde::Deserialize<'de> for $Subject {
+        impl<'de> Deserialize<'de> for $Subject {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 struct Named;
                 impl<'de> Visitor<'de> for Named {

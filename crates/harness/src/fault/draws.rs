@@ -17,7 +17,12 @@ const FAULT_LANE: usize = 1000;
 /// Spoils the draws of one block by those of `faults` that concern draws, in their order.
 ///
 /// `channel_pdf(c, t)` is the pdf of the whole mixture over that of channel c at t.
-pub fn lay_over_draws(faults: &[Fault], at: BlockPlace, draws: &mut Draws, channel_pdf: &dyn Fn(usize, f64) -> f64) {
+pub fn lay_over_draws(
+    faults: &[Fault],
+    at: BlockPlace,
+    draws: &mut Draws,
+    channel_pdf: &dyn Fn(usize, f64) -> f64,
+) {
     for fault in faults {
         match *fault {
             Fault::NanDraw { walk, of } => nan_draw(draws, at.first, walk, of),
@@ -37,7 +42,10 @@ fn nan_draw(draws: &mut Draws, first: u64, walk: u64, of: u64) {
     for row in 0..draws.rows {
         if (first + row as u64) % of == walk {
             draws.put(row, f64::NAN, f64::NAN, 0);
-            draws.channels.iter_mut().for_each(|column| column[row] = f64::NAN);
+            draws
+                .channels
+                .iter_mut()
+                .for_each(|column| column[row] = f64::NAN);
         }
     }
 }
@@ -46,7 +54,10 @@ fn duplicate(draws: &mut Draws, key: Key, share: f64) {
     let mut rng = key.lane(FAULT_LANE);
     for row in 1..draws.rows {
         if uniform(&mut rng) < share {
-            for column in [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels) {
+            for column in [&mut draws.t, &mut draws.weight]
+                .into_iter()
+                .chain(&mut draws.channels)
+            {
                 if !column.is_empty() {
                     column[row] = column[row - 1];
                 }

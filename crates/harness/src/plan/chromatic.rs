@@ -83,17 +83,45 @@ fn of_channel(
     let claim = |event, name: String, expected: f64, second_moment: Option<f64>| {
         let variance = second_moment.map(|m2| m2 - expected * expected);
         let variance = variance.map(|v| if v > 0.0 { v } else { 0.0 });
-        let mean = MeanClaim { expected, slack: subject.tolerance, binary: false, range: None, variance, skewness: None };
-        ChannelClaim { channel: k, event, name, mean, second_moment }
+        let mean = MeanClaim {
+            expected,
+            slack: subject.tolerance,
+            binary: false,
+            range: None,
+            variance,
+            skewness: None,
+        };
+        ChannelClaim {
+            channel: k,
+            event,
+            name,
+            mean,
+            second_moment,
+        }
     };
     let of = |moments: &Option<Vec<f64>>| moments.as_ref().and_then(|m| m.get(k).copied());
     let mut all = vec![
-        claim(Event::Scatter, format!("scatter_{k}"), between(0.0, length), of(&claims.scatter_moments)),
-        claim(Event::Surface, format!("surface_{k}"), libm::exp(-mu * length), of(&claims.surface_moments)),
+        claim(
+            Event::Scatter,
+            format!("scatter_{k}"),
+            between(0.0, length),
+            of(&claims.scatter_moments),
+        ),
+        claim(
+            Event::Surface,
+            format!("surface_{k}"),
+            libm::exp(-mu * length),
+            of(&claims.surface_moments),
+        ),
     ];
     all.extend((0..BINS).map(|bin| {
         let (from, to) = (edge(bin), edge(bin + 1));
-        claim(Event::Between(from, to), format!("scatter_{k}_bin_{bin}"), between(from, to), None)
+        claim(
+            Event::Between(from, to),
+            format!("scatter_{k}_bin_{bin}"),
+            between(from, to),
+            None,
+        )
     }));
     all
 }

@@ -51,7 +51,10 @@ pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups,
         *o += tally.escapes;
         *m += law.atom();
     }
-    let residual = observed.iter().zip(&mass).map(|(&o, &p)| residual(o as f64, n * p, n * law.slack()));
+    let residual = observed
+        .iter()
+        .zip(&mass)
+        .map(|(&o, &p)| residual(o as f64, n * p, n * law.slack()));
     let residual = residual.collect();
     Some((groups, residual, escape))
 }
@@ -69,8 +72,13 @@ mod tests {
 
     fn tally(rate: f64) -> (Law, CellTally) {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
-        let t: Vec<f64> = (0..100_000).map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate).collect();
-        let t: Vec<f64> = t.iter().map(|&t| if t < 2.0 { t } else { f64::INFINITY }).collect();
+        let t: Vec<f64> = (0..100_000)
+            .map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate)
+            .collect();
+        let t: Vec<f64> = t
+            .iter()
+            .map(|&t| if t < 2.0 { t } else { f64::INFINITY })
+            .collect();
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &t, &mut Vec::new());
         (law, tally)
@@ -90,6 +98,9 @@ mod tests {
     fn too_few_draws_are_withheld() {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let empty = CellTally::new(&law);
-        assert_eq!(chi_square("chi_square_16", &law, &empty, 16, Reason::WrongLaw).p, None);
+        assert_eq!(
+            chi_square("chi_square_16", &law, &empty, 16, Reason::WrongLaw).p,
+            None
+        );
     }
 }

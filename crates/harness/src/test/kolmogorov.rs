@@ -22,7 +22,11 @@ pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let (low, high) = bracket(law, tally, m as f64);
     let slack = law.slack() / law.collided();
     let d = if low > slack { low - slack } else { 0.0 };
-    let p = if low.is_nan() { f64::NAN } else { ks_two_sided(m, d) };
+    let p = if low.is_nan() {
+        f64::NAN
+    } else {
+        ks_two_sided(m, d)
+    };
     Evidence::new("kolmogorov", low, None, p, reason).noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 
@@ -31,7 +35,10 @@ fn bracket(law: &Law, tally: &CellTally, m: f64) -> (f64, f64) {
     let (mut below, mut low, mut high) = (0, 0.0, 0.0);
     let larger = |a: f64, b: f64| if b <= a { a } else { b }; // NaN stays
     for (k, &count) in tally.cells.iter().enumerate() {
-        let (start, end) = (law.mass_between(0, k) / law.collided(), law.mass_between(0, k + 1) / law.collided());
+        let (start, end) = (
+            law.mass_between(0, k) / law.collided(),
+            law.mass_between(0, k + 1) / law.collided(),
+        );
         let (before, after) = (below as f64 / m, (below + count) as f64 / m);
         low = larger(low, (after - end).abs());
         high = larger(high, larger(after - start, end - before));
@@ -46,8 +53,13 @@ mod tests {
 
     fn p(rate: f64) -> Option<f64> {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
-        let t: Vec<f64> = (0..100_000).map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate).collect();
-        let t: Vec<f64> = t.iter().map(|&t| if t < 2.0 { t } else { f64::INFINITY }).collect();
+        let t: Vec<f64> = (0..100_000)
+            .map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate)
+            .collect();
+        let t: Vec<f64> = t
+            .iter()
+            .map(|&t| if t < 2.0 { t } else { f64::INFINITY })
+            .collect();
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &t, &mut Vec::new());
         kolmogorov(&law, &tally, Reason::WrongLaw).p

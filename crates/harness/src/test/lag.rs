@@ -14,7 +14,12 @@ its exact variance.";
 #[must_use]
 pub fn lag(scores: &Scores, tally: &LagTally) -> Evidence {
     if tally.pairs < 1000 {
-        return Evidence::withheld("lag_1", f64::NAN, Reason::Dependent, "fewer than 1000 pairs of draws");
+        return Evidence::withheld(
+            "lag_1",
+            f64::NAN,
+            Reason::Dependent,
+            "fewer than 1000 pairs of draws",
+        );
     }
     let z = tally.products as f64 / (scores.variance() * (tally.pairs as f64).sqrt());
     Evidence::new("lag_1", z, None, normal_two_sided(z), Reason::Dependent)

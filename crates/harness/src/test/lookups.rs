@@ -20,7 +20,11 @@ impl BlockLookups {
     /// Adds one block.
     pub fn observe(&mut self, lookups: u64) {
         let lookups = u128::from(lookups);
-        self.merge(&Self { blocks: 1, sum: lookups, squares: lookups * lookups });
+        self.merge(&Self {
+            blocks: 1,
+            sum: lookups,
+            squares: lookups * lookups,
+        });
     }
 
     /// Adds the blocks of another worker.
@@ -40,14 +44,26 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64) -> Evidence {
     let excess = mean - want;
     if scatter == 0 && seen.blocks > 0 {
         let exact = excess.abs() <= 1e-9 * want;
-        return Evidence::new("lookups", excess, None, f64::from(u8::from(exact)), Reason::WrongCost);
+        return Evidence::new(
+            "lookups",
+            excess,
+            None,
+            f64::from(u8::from(exact)),
+            Reason::WrongCost,
+        );
     }
     if seen.blocks < 20 {
         return Evidence::withheld("lookups", excess, Reason::WrongCost, "fewer than 20 blocks");
     }
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
     let t = excess / (variance / blocks).sqrt();
-    Evidence::new("lookups", t, Some(blocks - 1.0), student_t_two_sided(blocks - 1.0, t), Reason::WrongCost)
+    Evidence::new(
+        "lookups",
+        t,
+        Some(blocks - 1.0),
+        student_t_two_sided(blocks - 1.0, t),
+        Reason::WrongCost,
+    )
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ pub(super) const WORDS: &str = "The mean against its truth: exact binomial for 0
 statistic where it allows that; empirical Bernstein for bounded draws; otherwise no p-value.";
 
 /// What is claimed of a mean.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanClaim {
     /// The value.
     pub expected: f64,
@@ -91,7 +91,11 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     let evidence = match method {
         Method::Binomial => {
             let null = nearest(sums.ones as f64 / n, claim.expected, claim.slack);
-            evidence(bias(sums, claim), None, binomial_two_sided(sums.n, null, sums.ones))
+            evidence(
+                bias(sums, claim),
+                None,
+                binomial_two_sided(sums.n, null, sums.ones),
+            )
         }
         Method::Exact => {
             let same = excess.abs() <= 1e-12 * claim.expected.abs();
@@ -101,11 +105,18 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
         Method::SkewnessCorrected => evidence(t, None, corrected_p(t, sums.skewness(), n)),
         Method::EmpiricalBernstein => evidence(excess, None, bernstein_p(sums, claim, excess)),
         Method::None => {
-            let why = format!("skewness {:.3e} is too large for {} draws, and no range is known", skewness(sums, claim), sums.n);
+            let why = format!(
+                "skewness {:.3e} is too large for {} draws, and no range is known",
+                skewness(sums, claim),
+                sums.n
+            );
             Evidence::withheld(name, t, reason, why)
         }
     };
-    (evidence.noted_if_empty(method.name()), interval(sums, claim, method))
+    (
+        evidence.noted_if_empty(method.name()),
+        interval(sums, claim, method),
+    )
 }
 
 /// mean - expected, whatever the sums are centred at.
@@ -139,7 +150,9 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
     if claim.binary && sums.zeros + sums.ones == sums.n && sums.n > 0 {
         return Method::Binomial;
     }
-    let deterministic = claim.variance.is_some_and(|v| v <= 1e-24 * claim.expected * claim.expected);
+    let deterministic = claim
+        .variance
+        .is_some_and(|v| v <= 1e-24 * claim.expected * claim.expected);
     let silent = claim.variance.is_none() && claim.range.is_none();
     if sums.constant() && (deterministic || silent) {
         return Method::Exact;
@@ -170,15 +183,20 @@ pub(super) fn corrected_p(t: f64, skewness: f64, n: f64) -> f64 {
 /// The level at which the empirical Bernstein interval just reaches the excess:
 /// |excess| = sqrt(2 V L / n) + 7 R L / (3 (n - 1)), L = ln(4 / p).
 fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f64 {
-    let Some((low, high)) = claim.range else { return f64::NAN };
+    let Some((low, high)) = claim.range else {
+        return f64::NAN;
+    };
     let n = sums.n as f64;
-    let (a, b) = (7.0 * (high - low) / (3.0 * (n - 1.0)), (2.0 * sums.variance() / n).sqrt());
+    let (a, b) = (
+        7.0 * (high - low) / (3.0 * (n - 1.0)),
+        (2.0 * sums.variance() / n).sqrt(),
+    );
     let root = 2.0 * excess.abs() / (b + (b * b + 4.0 * a * excess.abs()).sqrt());
     let p = 4.0 * libm::exp(-root * root);
     if p > 1.0 { 1.0 } else { p }
 }
 
-fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64 {
+pub(crate) fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64 {
     let (n, l) = (sums.n as f64, libm::log(4.0 / level));
     (2.0 * sums.variance() * l / n).sqrt() + 7.0 * (high - low) * l / (3.0 * (n - 1.0))
 }
@@ -186,14 +204,27 @@ fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64
 fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
     let (bias, n) = (bias(sums, claim), sums.n as f64);
     let error = (sums.variance() / n).sqrt();
-    let (z, power) = (normal_quantile(0.5 * REPORTING_LEVEL), normal_quantile(1.0 - POWER));
-    let about = |half: f64, detectable: f64| Interval { method, low: bias - half, high: bias + half, detectable };
+    let (z, power) = (
+        normal_quantile(0.5 * REPORTING_LEVEL),
+        normal_quantile(1.0 - POWER),
+    );
+    let about = |half: f64, detectable: f64| Interval {
+        method,
+        low: bias - half,
+        high: bias + half,
+        detectable,
+    };
     match (method, claim.range) {
         (Method::Binomial, _) => {
             let (low, high) = clopper_pearson(sums.n, sums.ones, REPORTING_LEVEL);
             let error = (claim.expected * (1.0 - claim.expected) / n).sqrt();
             let detectable = (z + power) * error;
-            Interval { method, low: low - claim.expected, high: high - claim.expected, detectable }
+            Interval {
+                method,
+                low: low - claim.expected,
+                high: high - claim.expected,
+                detectable,
+            }
         }
         (Method::Exact, _) => {
             let rounding = 1e-12 * claim.expected.abs() + claim.slack;
@@ -210,6 +241,10 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
 
 impl Evidence {
     fn noted_if_empty(self, note: &str) -> Self {
-        if self.note.is_empty() { self.noted(note) } else { self }
+        if self.note.is_empty() {
+            self.noted(note)
+        } else {
+            self
+        }
     }
 }

@@ -19,7 +19,11 @@ pub fn poisson_count(tally: &CountTally, mean: f64) -> Evidence {
 pub(super) fn pmf(mean: f64, rows: usize) -> Vec<f64> {
     let log_mean = libm::log(mean);
     let one = |n: usize| {
-        let log = if n == 0 { -mean } else { n as f64 * log_mean - mean - libm::lgamma(n as f64 + 1.0) };
+        let log = if n == 0 {
+            -mean
+        } else {
+            n as f64 * log_mean - mean - libm::lgamma(n as f64 + 1.0)
+        };
         libm::exp(log)
     };
     let mut all: Vec<f64> = (0..rows).map(one).collect();
@@ -43,9 +47,18 @@ pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], reason: Reason)
         *last = (last.0 + part.0, last.1 + part.1);
     }
     if cells.len() < 2 {
-        return Evidence::withheld(name, f64::NAN, reason, "fewer than two cells would expect 50 draws");
+        return Evidence::withheld(
+            name,
+            f64::NAN,
+            reason,
+            "fewer than two cells would expect 50 draws",
+        );
     }
-    let statistic: f64 = cells.iter().map(|&(o, e)| residual(o as f64, e, 0.0)).map(|r| r * r).sum();
+    let statistic: f64 = cells
+        .iter()
+        .map(|&(o, e)| residual(o as f64, e, 0.0))
+        .map(|r| r * r)
+        .sum();
     let dof = (cells.len() - 1) as f64;
     Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
 }
@@ -65,8 +78,11 @@ mod tests {
     #[test]
     fn another_mean_is_rejected() {
         let mut tally = CountTally::marginal();
-        let counts: Vec<u32> =
-            pmf(2.0, 20).iter().enumerate().flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize]).collect();
+        let counts: Vec<u32> = pmf(2.0, 20)
+            .iter()
+            .enumerate()
+            .flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize])
+            .collect();
         tally.observe(&counts, &[]);
         assert!(poisson_count(&tally, 2.0).p > Some(0.99));
         assert!(poisson_count(&tally, 2.1).p < Some(1e-9));

@@ -24,15 +24,31 @@ pub fn second_moment(sums: &PowerSums, moments: &[f64; 6]) -> Evidence {
     let z = (mean_square - m2) / (variance / n).sqrt();
     if !(variance > 1e-12 * m4) {
         let same = (mean_square - m2).abs() <= 1e-10 * m2;
-        return Evidence::new("second_moment", mean_square - m2, None, f64::from(u8::from(same)), Reason::WrongVariance);
+        return Evidence::new(
+            "second_moment",
+            mean_square - m2,
+            None,
+            f64::from(u8::from(same)),
+            Reason::WrongVariance,
+        );
     }
     let (plain, corrected) = gate(skewness, n);
     match () {
-        () if plain => Evidence::new("second_moment", z, None, normal_two_sided(z), Reason::WrongVariance),
-        () if corrected => {
-            Evidence::new("second_moment", z, None, corrected_p(z, skewness, n), Reason::WrongVariance)
-                .noted("corrected for skewness")
-        }
+        () if plain => Evidence::new(
+            "second_moment",
+            z,
+            None,
+            normal_two_sided(z),
+            Reason::WrongVariance,
+        ),
+        () if corrected => Evidence::new(
+            "second_moment",
+            z,
+            None,
+            corrected_p(z, skewness, n),
+            Reason::WrongVariance,
+        )
+        .noted("corrected for skewness"),
         () => {
             let why = format!("skewness {skewness:.3e} of the squares is too large for {n} draws");
             Evidence::withheld("second_moment", z, Reason::WrongVariance, why)

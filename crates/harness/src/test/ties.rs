@@ -17,7 +17,13 @@ pub fn ties(tally: &TieTally, collided: u64, pair: f64) -> Evidence {
     let m = collided as f64;
     let mean = tally.share() * 0.5 * m * (m - 1.0) * pair;
     let pairs = tally.pairs();
-    Evidence::new("ties", pairs as f64, None, poisson_sf(mean, pairs), Reason::Dependent)
+    Evidence::new(
+        "ties",
+        pairs as f64,
+        None,
+        poisson_sf(mean, pairs),
+        Reason::Dependent,
+    )
 }
 
 /// A bound on the probability that two collided draws are equal, for uniforms of `bits` bits: equal uniforms, or values
