@@ -7,6 +7,7 @@
 //! Each arrow is a pure function, and only a subject is random. What is verified is data (a case); evidence comes first
 //! and the decision later, over the whole run at one family-wise error.
 
+pub mod assert;
 pub mod audit;
 pub mod case;
 pub mod collect;
@@ -27,3 +28,5 @@ pub mod subject;
 pub mod tally;
 pub mod test;
 pub mod verdict;
+
+pub use assert::{assert_chromatic, assert_free_path, assert_transmittance};

@@ -45,6 +45,14 @@ impl Chromatic {
     }
 }
 
+impl Chromatic {
+    /// The channels over their length.
+    #[must_use]
+    pub fn medium(&self) -> &ChromaticMedium {
+        &self.medium
+    }
+}
+
 impl TryFrom<Parameters> for Chromatic {
     type Error = ParameterError;
 

@@ -4,7 +4,7 @@ use super::surroundings::{Place, Volumes};
 use super::{BiasBound, Case, CaseError, CaseFile, Claim, MOST_DRAWS, Subject};
 use crate::fault::{Expectation, Fault};
 use crate::subject::{DRAWS, Scene, Work};
-use freepath_estimators::medium::{Built, ChromaticMedium, Describe};
+use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;
 use freepath_estimators::{MajorantChoice, Medium, ParameterError, Under};
 use std::collections::HashSet;

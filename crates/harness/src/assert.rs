@@ -1,0 +1,172 @@
+//! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
+
+use crate::collect::{Collected, Stopped, Watch, collect};
+use crate::decide::{Decision, Stage, adjust, decide, suspect};
+use crate::judge::{Judged, judge};
+use crate::plan::Plan;
+use crate::subject::{Route, Scene, Subject, Work};
+use crate::verdict::{Reason, Verdict};
+use freepath_estimators::medium::Chromatic;
+use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
+use std::fmt::Write;
+use std::panic::Location;
+use std::sync::atomic::AtomicBool;
+
+/// Draws of each route in stage 1: few enough for a build without optimisation.
+const DRAWS: u64 = 1 << 16;
+
+/// Panics unless `sampler` draws free paths of `medium`: by its block method and by its scalar one, over escapes,
+/// distances, ties, order, look-ups and majorant.
+///
+/// A wrong alarm has a probability of at most 1e-6; the same seed gives the same draws. `FREEPATH_SEED` chooses another
+/// seed, `FREEPATH_DRAWS` more draws.
+///
+/// # Panics
+/// With what failed, by how much, with which p-value, and how to replay it.
+#[track_caller]
+pub fn assert_free_path(sampler: &impl FreePathSampler, medium: &impl Medium) {
+    assert_subject(
+        &Subject::new(
+            Work::FreePath(sampler),
+            Scene::Grey {
+                truth: medium,
+                seen: medium,
+            },
+        ),
+        Location::caller(),
+    );
+}
+
+/// Panics unless the mean of `estimator` is the transmittance of `medium`; see [`assert_free_path`].
+///
+/// # Panics
+/// With what failed, by how much, with which p-value, and how to replay it.
+#[track_caller]
+pub fn assert_transmittance(estimator: &impl TransmittanceEstimator, medium: &impl Medium) {
+    let scene = Scene::Grey {
+        truth: medium,
+        seen: medium,
+    };
+    assert_subject(
+        &Subject::new(Work::Transmittance(estimator), scene),
+        Location::caller(),
+    );
+}
+
+/// Panics unless the weights of `sampler` have the right means in every channel of `medium`, for scattering, in bins of t
+/// and at the surface; see [`assert_free_path`].
+///
+/// # Panics
+/// With what failed, by how much, with which p-value, and how to replay it.
+#[track_caller]
+pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &Chromatic) {
+    assert_subject(
+        &Subject::new(Work::Chromatic(sampler), Scene::Chromatic(medium.medium())),
+        Location::caller(),
+    );
+}
+
+fn assert_subject(subject: &Subject, caller: &Location) {
+    let (seed, draws) = (setting("FREEPATH_SEED", 1), setting("FREEPATH_DRAWS", DRAWS));
+    for route in [Route::Block, Route::Scalar] {
+        let subject = Subject {
+            route,
+            draws,
+            ..subject.clone()
+        };
+        let plan = Plan::of(&subject);
+        let trial = Trial::run(&subject, &plan, seed);
+        let decision = trial.decide();
+        if decision.verdict != Verdict::Pass {
+            panic!("{}", trial.message(&subject, &decision, seed, caller));
+        }
+    }
+}
+
+fn setting(name: &str, default: u64) -> u64 {
+    std::env::var(name)
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(default)
+}
+
+/// Both stages of one subject.
+struct Trial {
+    first: Judged,
+    second: Option<Judged>,
+    draws: u64,
+}
+
+impl Trial {
+    fn run(subject: &Subject, plan: &Plan, seed: u64) -> Self {
+        let (cancelled, blocks) = (AtomicBool::new(false), Subject::blocks(subject.draws));
+        let watch = Watch {
+            cancelled: &cancelled,
+            progress: &|_| (),
+        };
+        let stage = |blocks| judged(subject, plan, collect(subject, plan, seed, blocks, &watch));
+        let first = stage(0..blocks);
+        let second = suspect(&first).then(|| stage(blocks..3 * blocks));
+        Self {
+            first,
+            second,
+            draws: subject.draws,
+        }
+    }
+
+    fn decide(&self) -> Decision {
+        let first = adjust([Some(&self.first)].into_iter());
+        let second = adjust([self.second.as_ref()].into_iter());
+        let stage = self.second.as_ref().map(|judged| Stage {
+            judged,
+            adjusted: &second.0[0],
+        });
+        decide(
+            Stage {
+                judged: &self.first,
+                adjusted: &first.0[0],
+            },
+            stage,
+        )
+    }
+
+    fn message(&self, subject: &Subject, decision: &Decision, seed: u64, caller: &Location) -> String {
+        let what = match subject.work {
+            Work::FreePath(_) | Work::Exact => "the sampler does not follow the free-path law",
+            Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
+            Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
+        };
+        let how = if subject.route == Route::Block {
+            "drawn in blocks"
+        } else {
+            "drawn one by one"
+        };
+        let mut text = format!("{what}: {} ({how}, at {caller})\n", decision.verdict);
+        for note in &decision.notes {
+            let _ = writeln!(text, "  {note}");
+        }
+        for reason in &decision.reasons {
+            let _ = writeln!(text, "  {reason}: {}", reason.words());
+        }
+        let test = std::thread::current().name().unwrap_or("NAME").to_string();
+        let _ = write!(
+            text,
+            "  {} draws, then {} fresh ones for the suspect; replay: FREEPATH_SEED={seed} FREEPATH_DRAWS={} cargo test {test}",
+            self.draws,
+            2 * self.draws,
+            self.draws
+        );
+        text
+    }
+}
+
+fn judged(subject: &Subject, plan: &Plan, collected: Result<Collected, Stopped>) -> Judged {
+    match collected {
+        Ok(collected) => judge(subject, plan, &collected),
+        Err(Stopped::Subject(why)) => Judged {
+            facts: vec![(Reason::SubjectError, why)],
+            ..Judged::default()
+        },
+        Err(Stopped::Cancelled) => Judged::default(),
+    }
+}
