@@ -10,6 +10,8 @@ mod constant;
 mod exponential;
 mod gaussian;
 mod linear;
+mod numeric;
+mod panels;
 mod pieces;
 mod piecewise_constant;
 mod piecewise_linear;
@@ -21,6 +23,7 @@ mod sinusoid;
 mod view;
 
 pub use chromatic::ChromaticMedium;
+pub use numeric::{Numeric, numeric};
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
