@@ -10,6 +10,8 @@ mod constant;
 mod exponential;
 mod gaussian;
 mod linear;
+mod numeric;
+mod panels;
 mod pieces;
 mod piecewise_constant;
 mod piecewise_linear;
@@ -22,6 +24,7 @@ mod view;
 
 pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
+pub use numeric::{Numeric, numeric};
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {

@@ -136,7 +136,7 @@ mod tests {
     fn a_depth_held_through_a_gap_is_reached_before_the_gap() {
         let medium = steps();
         assert_eq!((medium.inverse_tau(1.0), medium.inverse_tau(0.0)), (0.5, 0.0));
-        assert!(medium.inverse_tau(3.75).is_infinite());
+        assert!(medium.inverse_tau(3.75).is_infinite() && medium.inverse_tau(f64::NAN).is_nan());
     }
 
     #[test]

@@ -27,6 +27,9 @@ impl Ramp {
     pub(super) fn inverse_tau(self, depth: f64) -> f64 {
         let scale = if self.from > self.to { self.from } else { self.to };
         let (from, to, x) = (self.from / scale, self.to / scale, depth / scale / self.width);
+        if !(x > 0.0) {
+            return 0.0; // underflow
+        }
         let square = from * from + 2.0 * x * (to - from);
         let root = if square > 0.0 { square.sqrt() } else { 0.0 };
         let s = 2.0 * x / (from + root) * self.width;

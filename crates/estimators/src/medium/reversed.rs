@@ -131,6 +131,7 @@ impl Medium for View {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::extinction::Under;
     use crate::medium::{Linear, PiecewiseConstant};
 
     fn grey(medium: impl Medium + 'static) -> Arc<dyn Medium> {
@@ -159,5 +160,21 @@ mod tests {
             (&[4.0][..], &[0.5][..])
         );
         assert_eq!(view.majorants().mu_mean(), [5.25 / 3.5]);
+    }
+
+    #[test]
+    fn every_look_up_obeys_the_bound_of_its_segment() {
+        let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
+        let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());
+        let tight = Majorants::tight(&inner, 26);
+        let view = View::new(&grey(Under::new(inner, tight.clone()))).unwrap();
+        let mut mu_bar = tight.mu_bar().to_vec();
+        mu_bar.reverse();
+        assert_eq!(view.majorants().mu_bar(), mu_bar);
+        for (start, end) in view.majorants().segments() {
+            for t in [start, start.next_up(), 0.5 * (start + end), end.next_down()] {
+                assert!(view.mu(t) <= view.majorants().mu_bar_at(t), "{t}");
+            }
+        }
     }
 }

@@ -176,6 +176,7 @@ impl Medium for View {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::extinction::Under;
     use crate::medium::{Linear, PiecewiseConstant};
 
     fn grey(medium: impl Medium + 'static) -> Arc<dyn Medium> {
@@ -200,6 +201,21 @@ mod tests {
         let view = View::new(1.0, 2.0, &grey(inner)).unwrap();
         assert_eq!(view.extrema(0.0, 1.0), (0.5, 0.5));
         assert_eq!((view.mu(0.0), view.mu(1.0), view.breaks()), (0.5, 0.5, &[][..]));
+    }
+
+    #[test]
+    fn every_look_up_obeys_the_bound_of_its_segment() {
+        let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
+        let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());
+        let tight = Majorants::tight(&inner, 26);
+        let view = View::new(0.25, 1.33, &grey(Under::new(inner, tight))).unwrap();
+        assert_eq!((view.majorants().ends().len(), view.breaks().len()), (12, 2));
+        assert_eq!(view.majorants().shortfall(&view), None);
+        for (start, end) in view.majorants().segments() {
+            for t in [start, start.next_up(), 0.5 * (start + end), end.next_down()] {
+                assert!(view.mu(t) <= view.majorants().mu_bar_at(t), "{t}");
+            }
+        }
     }
 
     #[test]
