@@ -1,3 +1,4 @@
 //! Draws in, verdicts out.
 
+pub mod source;
 pub mod special;
