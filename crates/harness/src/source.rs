@@ -51,7 +51,7 @@ impl From<io::Error> for Refusal {
     }
 }
 
-/// The volume in the `.npy` file `path`: an array [z][y][x] of u8, u16, f32 or f64, little or big endian, in C or Fortran
+/// The volume in the `.npy` file `path`: an array `[z][y][x]` of u8, u16, f32 or f64, little or big endian, in C or Fortran
 /// order.
 ///
 /// # Errors
