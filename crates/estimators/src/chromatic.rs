@@ -42,3 +42,10 @@ pub trait ChromaticSampler: Send + Sync {
         Ok(())
     }
 }
+mod stub;
+crate::list::list! {
+    /// Stub.
+    pub enum AnyChromatic: dyn ChromaticSampler {
+        stub::Stub,
+    }
+}

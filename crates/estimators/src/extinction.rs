@@ -77,7 +77,7 @@ pub trait Medium: Extinction + Send + Sync {
         0.0
     }
 
-    /// Where `tau` reaches `depth`; infinity if it does not within the length. Provided: bracketed Newton steps.
+    /// Where `tau` reaches `depth`; infinity if it does not before the end. Provided: bracketed Newton steps.
     fn inverse_tau(&self, depth: f64) -> f64 {
         solve(self, depth)
     }
@@ -86,27 +86,47 @@ pub trait Medium: Extinction + Send + Sync {
     fn extrema(&self, a: f64, b: f64) -> (f64, f64);
 }
 
-/// Solves tau(t) = depth by Newton's method, falling back on bisection where a step leaves the bracket.
-fn solve<M: Medium + ?Sized>(medium: &M, depth: f64) -> f64 {
-    let (mut low, mut high) = (0.0, medium.length());
-    if depth >= medium.tau(high) {
-        return f64::INFINITY;
+/// Where a medium of optical depth `total` reaches `depth`: `inside` says it for 0 < depth < total.
+pub(crate) fn invert(depth: f64, total: f64, inside: impl FnOnce() -> f64) -> f64 {
+    if depth >= total {
+        f64::INFINITY
+    } else if depth > 0.0 {
+        inside()
+    } else if depth.is_nan() {
+        depth
+    } else {
+        0.0
     }
-    let mut t = 0.5 * high;
+}
+
+/// Solves tau(t) = depth over the whole length.
+fn solve<M: Medium + ?Sized>(medium: &M, depth: f64) -> f64 {
+    let length = medium.length();
+    invert(depth, medium.tau(length), || {
+        solve_between(medium, depth, 0.0, length)
+    })
+}
+
+/// Solves tau(t) = depth for a root between `low` and `high`: Newton's method, falling back on bisection where a step
+/// leaves the bracket or does not halve the step before it, as where mu is 0.
+pub(crate) fn solve_between<M: Medium + ?Sized>(medium: &M, depth: f64, low: f64, high: f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    let (mut t, mut step) = (0.5 * (low + high), high - low);
     for _ in 0..200 {
-        let excess = medium.tau(t) - depth;
+        let (excess, mu) = (medium.tau(t) - depth, medium.mu(t));
+        if excess == 0.0 && mu > 0.0 {
+            return t;
+        }
         if excess < 0.0 {
             low = t
         } else {
             high = t
         }
-        let newton = t - excess / medium.mu(t);
-        let next = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
-        if (next - t).abs() <= f64::EPSILON * t {
+        let newton = t - excess / mu; // not finite where mu is 0
+        let converges = newton > low && newton < high && (newton - t).abs() <= 0.5 * step;
+        let next = if converges { newton } else { 0.5 * (low + high) };
+        step = (next - t).abs();
+        if step <= f64::EPSILON * t {
             return next;
         }
         t = next;

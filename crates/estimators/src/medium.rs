@@ -4,8 +4,23 @@ use crate::extinction::Medium;
 use crate::parameter::ParameterError;
 use std::sync::Arc;
 
+mod box_spike;
+mod chromatic;
 mod constant;
+mod exponential;
 mod gaussian;
+mod linear;
+mod pieces;
+mod piecewise_constant;
+mod piecewise_linear;
+mod ramp;
+mod reversed;
+mod scaled;
+mod segment;
+mod sinusoid;
+mod view;
+
+pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
 
 /// What a case file says of a medium, and how to make it.
@@ -24,13 +39,6 @@ pub enum Built {
     Grey(Arc<dyn Medium>),
     /// Homogeneous channels.
     Chromatic(ChromaticMedium),
-}
-
-/// Homogeneous channels over one length.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChromaticMedium {
-    /// Extinction and albedo of each channel.
-    pub channels: Vec<(Constant, f64)>,
 }
 
 /// Reads the files that a description names, and says along which ray to look.
@@ -58,7 +66,17 @@ crate::list::list! {
     /// Every medium that a case can name.
     pub enum AnyMedium: dyn Describe {
         constant::Constant,
+        linear::Linear,
+        exponential::Exponential,
         gaussian::Gaussian,
+        sinusoid::Sinusoid,
+        box_spike::BoxSpike,
+        piecewise_constant::PiecewiseConstant,
+        piecewise_linear::PiecewiseLinear,
+        chromatic::Chromatic,
+        scaled::Scaled,
+        reversed::Reversed,
+        segment::Segment,
         voxel_grid::VoxelGrid,
     }
 }

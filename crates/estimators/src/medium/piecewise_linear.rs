@@ -1,0 +1,169 @@
+use super::pieces::{self, Depths};
+use super::ramp::Ramp;
+use crate::extinction::{self, Cells, Extinction, Medium};
+use crate::majorants::Majorants;
+use crate::parameter::ParameterError;
+
+/// Extinction linear between nodes.
+///
+/// ```text
+/// mu(t)  = values[i] + (values[i + 1] - values[i]) s / h         s = t - nodes[i], h = nodes[i + 1] - nodes[i]
+/// tau(t) = tau(nodes[i]) + values[i] s + (values[i + 1] - values[i]) s^2 / (2 h)
+/// ```
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(try_from = "Parameters", into = "Parameters")]
+pub struct PiecewiseLinear {
+    parameters: Parameters,
+    depths: Depths,
+    majorants: Majorants,
+}
+
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "piecewise_linear")]
+struct Parameters {
+    /// Where extinction is given, increasing from 0 to the length of the ray.
+    nodes: Vec<f64>,
+    /// Extinction at each node, 1/length.
+    values: Vec<f64>,
+}
+
+impl PiecewiseLinear {
+    /// Extinction `values[i]` at `nodes[i]`, linear between them.
+    ///
+    /// # Errors
+    /// If the nodes do not increase from 0, a value is negative, the values are not as many as the nodes, or any number
+    /// is not finite.
+    pub fn new(nodes: Vec<f64>, values: Vec<f64>) -> Result<Self, ParameterError> {
+        Self::try_from(Parameters { nodes, values })
+    }
+
+    #[inline(always)]
+    fn piece(&self, t: f64) -> usize {
+        self.breaks().partition_point(|&node| node <= t)
+    }
+
+    #[inline(always)]
+    fn ramp(&self, k: usize) -> Ramp {
+        ramp(&self.parameters, k)
+    }
+}
+
+/// The piece between node `k` and the next.
+#[inline(always)]
+fn ramp(Parameters { nodes, values }: &Parameters, k: usize) -> Ramp {
+    Ramp {
+        from: values[k],
+        to: values[k + 1],
+        width: nodes[k + 1] - nodes[k],
+    }
+}
+
+impl TryFrom<Parameters> for PiecewiseLinear {
+    type Error = ParameterError;
+
+    fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
+        let Parameters { nodes, values } = &parameters;
+        pieces::check_edges("nodes", nodes)?;
+        pieces::check_values(values, nodes.len(), "as many as the nodes")?;
+        let ramps = (0..nodes.len() - 1).map(|k| ramp(&parameters, k));
+        let unbounded = Self {
+            depths: Depths::new(ramps.map(|ramp| ramp.tau(ramp.width))),
+            parameters,
+            majorants: Majorants::default(),
+        };
+        Ok(Self {
+            majorants: Majorants::tight(&unbounded, 1),
+            ..unbounded
+        })
+    }
+}
+
+impl From<PiecewiseLinear> for Parameters {
+    fn from(medium: PiecewiseLinear) -> Self {
+        medium.parameters
+    }
+}
+
+impl Extinction for PiecewiseLinear {
+    fn length(&self) -> f64 {
+        self.parameters.nodes[self.parameters.nodes.len() - 1]
+    }
+    #[inline(always)]
+    fn mu(&self, t: f64) -> f64 {
+        let k = self.piece(t);
+        self.ramp(k).mu(t - self.parameters.nodes[k])
+    }
+    fn majorants(&self) -> &Majorants {
+        &self.majorants
+    }
+    #[inline(always)]
+    fn breaks(&self) -> &[f64] {
+        &self.parameters.nodes[1..self.parameters.nodes.len() - 1]
+    }
+    fn cells(&self) -> Cells {
+        Cells::Linear
+    }
+}
+
+impl Medium for PiecewiseLinear {
+    fn tau(&self, t: f64) -> f64 {
+        let k = self.piece(t);
+        let inside = self.ramp(k).tau(t - self.parameters.nodes[k]);
+        self.depths.reach(k, inside)
+    }
+    fn inverse_tau(&self, depth: f64) -> f64 {
+        extinction::invert(depth, self.depths.total(), || {
+            let (k, rest) = self.depths.piece_of(depth);
+            let (start, end) = (self.parameters.nodes[k], self.parameters.nodes[k + 1]);
+            let t = start + self.ramp(k).inverse_tau(rest);
+            if t < end { t } else { end }
+        })
+    }
+    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
+        let inside = &self.parameters.values[self.piece(a) + 1..=self.piece(b)];
+        let ends = [self.mu(a), self.mu(b)];
+        pieces::extrema(ends.iter().chain(inside).copied())
+    }
+}
+
+crate::medium::describes_itself!(PiecewiseLinear);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tent() -> PiecewiseLinear {
+        PiecewiseLinear::new(vec![0.0, 1.0, 3.0, 3.5], vec![0.0, 2.0, 0.0, 0.0]).unwrap()
+    }
+
+    #[test]
+    fn values_by_hand() {
+        let medium = tent();
+        assert_eq!((medium.mu(0.5), medium.mu(1.0), medium.mu(2.0)), (1.0, 2.0, 1.0));
+        assert_eq!(
+            (medium.tau(0.5), medium.tau(1.0), medium.tau(2.0)),
+            (0.25, 1.0, 2.5)
+        );
+        assert_eq!((medium.tau(3.5), medium.mu(3.5)), (3.0, 0.0));
+        assert_eq!((medium.inverse_tau(0.25), medium.inverse_tau(2.5)), (0.5, 2.0));
+        assert!(medium.inverse_tau(3.0).is_infinite());
+        assert_eq!(medium.breaks(), [1.0, 3.0]);
+    }
+
+    #[test]
+    fn extrema_see_the_nodes_inside() {
+        assert_eq!(tent().extrema(0.5, 2.0), (1.0, 2.0));
+        assert_eq!(tent().extrema(0.25, 0.5), (0.5, 1.0));
+        assert_eq!(tent().extrema(2.0, 3.25), (0.0, 1.0));
+    }
+
+    #[test]
+    fn as_many_values_as_nodes_are_needed() {
+        let refusal = PiecewiseLinear::new(vec![0.0, 1.0], vec![1.0]).unwrap_err();
+        assert_eq!(
+            refusal.to_string(),
+            "values must be as many as the nodes, not 1 of them"
+        );
+    }
+}

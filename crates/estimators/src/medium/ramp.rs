@@ -1,0 +1,35 @@
+/// Extinction linear in s, 0 <= s <= width: a linear medium, or one piece of one.
+///
+/// ```text
+/// mu(s)      = from + (to - from) s / width
+/// tau(s)     = s (from + (to - from) s / (2 width))
+/// tau^-1(x)  = 2 x / (from + sqrt(from^2 + 2 x (to - from) / width))     no cancellation
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ramp {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) width: f64,
+}
+
+impl Ramp {
+    /// Every operation is monotone in `s`, rounding included, so mu stays between its values at the ends.
+    #[inline(always)]
+    pub(super) fn mu(self, s: f64) -> f64 {
+        self.from + (self.to - self.from) * (s / self.width)
+    }
+
+    pub(super) fn tau(self, s: f64) -> f64 {
+        s * (self.from + 0.5 * (self.to - self.from) * (s / self.width))
+    }
+
+    /// For `depth` above 0; at most the width.
+    pub(super) fn inverse_tau(self, depth: f64) -> f64 {
+        let scale = if self.from > self.to { self.from } else { self.to };
+        let (from, to, x) = (self.from / scale, self.to / scale, depth / scale / self.width);
+        let square = from * from + 2.0 * x * (to - from);
+        let root = if square > 0.0 { square.sqrt() } else { 0.0 };
+        let s = 2.0 * x / (from + root) * self.width;
+        if s < self.width { s } else { self.width }
+    }
+}

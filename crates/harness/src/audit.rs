@@ -1,0 +1,136 @@
+//! Counts and checks every look-up of a subject, before anything that the subject may do with it.
+
+use freepath_estimators::random::Spent;
+use freepath_estimators::{Cells, Extinction, Majorants, simd};
+use std::cell::Cell;
+
+/// What was recorded of some look-ups.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Audit {
+    /// All look-ups.
+    pub lookups: u64,
+    /// At t outside [0, length], or NaN.
+    pub outside: u64,
+    /// With mu above the majorant beyond rounding, negative, or NaN.
+    pub above: u64,
+}
+
+impl Audit {
+    /// Both together.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            lookups: self.lookups + other.lookups,
+            outside: self.outside + other.outside,
+            above: self.above + other.above,
+        }
+    }
+}
+
+/// A medium whose look-ups are on record. One for each block, on one thread.
+///
+/// Past its budget mu is NaN, which every loop over distances leaves; past twice the budget it unwinds with [`Spent`].
+pub struct Audited<'a> {
+    medium: &'a dyn Extinction,
+    budget: u64,
+    /// 1 + the relative excess that counts as rounding.
+    rounding: f64,
+    record: Cell<Audit>,
+}
+
+impl<'a> Audited<'a> {
+    /// `medium`, with at most `budget` look-ups.
+    #[must_use]
+    pub fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
+        Self {
+            medium,
+            budget,
+            rounding: 1.0 + rounding,
+            record: Cell::default(),
+        }
+    }
+
+    /// What was recorded.
+    #[must_use]
+    pub fn record(&self) -> Audit {
+        self.record.get()
+    }
+
+    /// Whether the budget is spent.
+    #[must_use]
+    pub fn spent(&self) -> bool {
+        self.record.get().lookups > self.budget
+    }
+
+    fn note(&self, lookups: usize, outside: u64, above: u64) {
+        let more = Audit {
+            lookups: lookups as u64,
+            outside,
+            above,
+        };
+        let record = self.record.get().plus(more);
+        self.record.set(record);
+        if record.lookups > self.budget.saturating_mul(2) {
+            std::panic::resume_unwind(Box::new(Spent));
+        }
+    }
+}
+
+#[inline(always)]
+fn outside(t: f64, length: f64) -> u64 {
+    u64::from(!(t >= 0.0 && t <= length))
+}
+
+#[inline(always)]
+fn above(mu: f64, bound: f64) -> u64 {
+    u64::from(!(mu >= 0.0 && mu <= bound))
+}
+
+impl Extinction for Audited<'_> {
+    fn length(&self) -> f64 {
+        self.medium.length()
+    }
+
+    fn mu(&self, t: f64) -> f64 {
+        let mu = self.medium.mu(t);
+        let bound = self.medium.majorants().mu_bar_at(t) * self.rounding;
+        self.note(1, outside(t, self.medium.length()), above(mu, bound));
+        if self.spent() { f64::NAN } else { mu }
+    }
+
+    fn majorants(&self) -> &Majorants {
+        self.medium.majorants()
+    }
+
+    fn breaks(&self) -> &[f64] {
+        self.medium.breaks()
+    }
+
+    fn cells(&self) -> Cells {
+        self.medium.cells()
+    }
+
+    fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
+        self.medium.mu_tile(t, mu);
+        let (majorants, length, rounding) = (self.medium.majorants(), self.medium.length(), self.rounding);
+        let (out, over) = simd::dispatch(
+            #[inline(always)]
+            || {
+                let (mut bound, mut sum) = ([0.0; 256], (0, 0));
+                for (t, mu) in t.chunks(256).zip(mu.chunks(256)) {
+                    let bound = &mut bound[..t.len()];
+                    majorants.mu_bar_tile(t, bound);
+                    for ((&t, &mu), &bound) in t.iter().zip(mu).zip(&*bound) {
+                        sum.0 += outside(t, length);
+                        sum.1 += above(mu, bound * rounding);
+                    }
+                }
+                sum
+            },
+        );
+        self.note(t.len(), out, over);
+        if self.spent() {
+            mu.fill(f64::NAN);
+        }
+    }
+}

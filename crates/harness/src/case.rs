@@ -1,0 +1,175 @@
+//! Case files: what to verify, as data.
+
+use crate::diagnose::{MAX_BYTES, Source};
+use crate::fault::Expectation;
+use freepath_estimators::MajorantChoice;
+use freepath_estimators::medium::AnyMedium;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+mod error;
+mod faults;
+mod prepare;
+mod subject;
+mod surroundings;
+
+pub use error::CaseError;
+pub use faults::Faults;
+pub use prepare::{Expected, Limits, Prepared, PreparedSubject, World, hash};
+pub use subject::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
+
+/// Most draws of one stage.
+pub const MOST_DRAWS: u64 = 1_000_000_000_000;
+
+/// One medium, many subjects.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "case")]
+pub struct Case {
+    /// The schema of this file, for editors.
+    #[serde(rename = "$schema", skip_serializing_if = "Option::is_none", default)]
+    pub schema: Option<String>,
+    /// What the case is about, in a line.
+    pub title: String,
+    /// The medium along the ray.
+    pub medium: AnyMedium,
+    /// The majorant under which subjects see it.
+    #[serde(default)]
+    pub majorant: MajorantChoice,
+    /// Rays through a voxel grid, instead of the medium's own: one row of results for each.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub rays: Vec<Ray>,
+    /// What is tested.
+    pub subjects: Vec<Subject>,
+    /// Draws of stage 1 (default 1,000,000), rounded up to whole blocks of 16,384.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub draws: Option<u64>,
+    /// Draws at which growth towards `bias_bound` ends (default 64 times `draws`).
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub budget: Option<u64>,
+    /// A pass is inconclusive until the bias is bounded so far.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub bias_bound: Option<BiasBound>,
+    /// Subjects may be off by so much in every claim.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub tolerance: Option<f64>,
+    /// Bits of the subjects' uniforms (default 52), for the test of ties.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub resolution_bits: Option<u32>,
+}
+
+/// A ray through a voxel grid.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ray {
+    /// Where it starts, in world coordinates.
+    pub origin: [f64; 3],
+    /// Where it goes; of any length.
+    pub direction: [f64; 3],
+}
+
+/// How small the bias must be shown to be.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum BiasBound {
+    /// In units of the mean.
+    Absolute(f64),
+    /// As a share of the expected mean.
+    Relative(f64),
+}
+
+/// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Subject {
+    /// A free-path sampler.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub free_path: Option<FreePathSubject>,
+    /// A transmittance estimator.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub transmittance: Option<TransmittanceSubject>,
+    /// A chromatic sampler.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub chromatic: Option<ChromaticSubject>,
+    /// Its name in the results, unique in the case.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub name: Option<String>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub majorant: Option<MajorantChoice>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub draws: Option<u64>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub budget: Option<u64>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub bias_bound: Option<BiasBound>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub tolerance: Option<f64>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub resolution_bits: Option<u32>,
+    /// The verdict that is as it should be (default: computed from the claims).
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub expect: Option<Expectation>,
+    /// Planted faults, laid in this order.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub fault: Option<Faults>,
+    /// Claims withdrawn.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub without: Vec<Claim>,
+}
+
+/// A claim that a case may withdraw from a subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Claim {
+    /// That no look-up exceeds the majorant.
+    Bounded,
+    /// The second moment.
+    SecondMoment,
+    /// The expected look-ups, and the law of tentative collisions.
+    Lookups,
+    /// That draws are independent.
+    Independent,
+}
+
+/// A case with the file that it came from.
+#[derive(Debug)]
+pub struct CaseFile {
+    /// As it was named.
+    pub path: PathBuf,
+    /// The text with its places, for messages.
+    pub source: Source,
+    /// What it says.
+    pub case: Case,
+}
+
+impl CaseFile {
+    /// Reads and parses `path`.
+    ///
+    /// # Errors
+    /// If the file cannot be read or does not say a case.
+    pub fn load(path: &Path) -> Result<Self, CaseError> {
+        let text = surroundings::read_text(path, MAX_BYTES as u64)?;
+        Self::parse(path, text)
+    }
+
+    /// A case that is not in a file: `path` is the name to show, and relative names are relative to its folder.
+    ///
+    /// # Errors
+    /// If the text does not say a case.
+    pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
+        let source = Source::new(path.display().to_string(), text)?;
+        let case = source.read()?;
+        Ok(Self {
+            path: path.to_path_buf(),
+            source,
+            case,
+        })
+    }
+}

@@ -1,0 +1,66 @@
+use super::{CaseError, Ray};
+use freepath_estimators::ParameterError;
+use freepath_estimators::medium::{Surroundings, Volume};
+use std::collections::HashMap;
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The text of a regular file of at most `most` bytes.
+pub(super) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
+    let about = std::fs::metadata(path).map_err(|why| CaseError::unreadable(path, why))?;
+    if !about.is_file() {
+        return Err(CaseError::unreadable(path, "it is not a regular file"));
+    }
+    if about.len() > most {
+        let why = format!("it has {} bytes (at most {most} are read)", about.len());
+        return Err(CaseError::unreadable(path, why));
+    }
+    std::fs::read_to_string(path).map_err(|why| CaseError::unreadable(path, why))
+}
+
+/// The volumes read so far: a file is read once for all its rays and cases.
+pub(super) type Volumes = Mutex<HashMap<PathBuf, Arc<Volume>>>;
+
+/// The folder of a case file, and one of its rays.
+pub(super) struct Place<'a> {
+    pub(super) folder: &'a Path,
+    pub(super) ray: Option<Ray>,
+    pub(super) allow_paths: bool,
+    pub(super) volumes: &'a Volumes,
+}
+
+impl Place<'_> {
+    /// `file` in the case's folder; a path that leaves the folder needs permission.
+    fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
+        let inside = Path::new(file)
+            .components()
+            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+        let path = self.folder.join(file);
+        let real = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let stays = inside && real(&path).starts_with(real(self.folder));
+        if stays || self.allow_paths {
+            return Ok(path);
+        }
+        let must_be = "inside the folder of the case file (or run with --allow-paths)";
+        Err(ParameterError::new("file", format!("{file:?}"), must_be))
+    }
+}
+
+impl Surroundings for Place<'_> {
+    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError> {
+        let path = self.resolve(file)?;
+        let mut volumes = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(volume) = volumes.get(&path) {
+            return Ok(volume.clone());
+        }
+        let volume = crate::source::read_volume(&path)
+            .map_err(|why| ParameterError::new("file", format!("one of which {why}"), "a readable volume"))?;
+        let volume = Arc::new(volume);
+        volumes.insert(path, volume.clone());
+        Ok(volume)
+    }
+
+    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+        self.ray.map(|ray| (ray.origin, ray.direction))
+    }
+}

@@ -1,0 +1,286 @@
+//! Runs blocks of draws on all threads and folds what they leave.
+
+use crate::audit::Audit;
+use crate::plan::Plan;
+use crate::sample::{columns, sample_block};
+use crate::subject::{BLOCK, Subject};
+use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
+use crate::test::BlockLookups;
+use freepath_estimators::{Draws, Key};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Blocks whose float sums are held at a time.
+const WAVE: u64 = 256;
+
+/// What a worker counts: integers, which merge in any order.
+#[derive(Clone, Debug, Default)]
+pub struct Counts {
+    /// Free paths by cell.
+    pub cells: Option<CellTally>,
+    /// Tentative collisions.
+    pub collisions: Option<CountTally>,
+    /// Neighbouring draws.
+    pub lag: LagTally,
+    /// Equal draws.
+    pub ties: TieTally,
+    /// Look-ups by block.
+    pub lookups: BlockLookups,
+    /// Look-ups, all told.
+    pub audit: Audit,
+}
+
+/// Everything that was folded from a range of blocks.
+#[derive(Clone, Debug)]
+pub struct Collected {
+    /// Integers.
+    pub counts: Counts,
+    /// Of the column `weight`.
+    pub mean: Option<PowerSums>,
+    /// The running mean.
+    pub running: Running,
+    /// Of each chromatic claim: weights, and their squares.
+    pub channels: Vec<(PowerSums, PowerSums)>,
+    /// Draws taken.
+    pub draws: u64,
+    /// Seconds of sampling, summed over threads.
+    pub seconds: f64,
+}
+
+/// Why a range of blocks was not finished.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stopped {
+    /// The subject panicked or ran past its budget, in words.
+    Subject(String),
+    /// The run was cancelled.
+    Cancelled,
+}
+
+/// The float sums of one block.
+struct BlockSums {
+    mean: Option<PowerSums>,
+    channels: Vec<(PowerSums, PowerSums)>,
+    seconds: f64,
+    /// For the first block: sums over its first draws.
+    early: Vec<PowerSums>,
+}
+
+/// A worker's buffers and counts.
+struct Worker {
+    draws: Draws,
+    index: Vec<u32>,
+    masked: Vec<f64>,
+    counts: Counts,
+}
+
+impl Worker {
+    fn new(subject: &Subject, plan: &Plan) -> Self {
+        let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
+        let joint = plan
+            .law
+            .as_ref()
+            .filter(|law| law.coleman)
+            .map(|law| CountTally::joint(&law.truth));
+        let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
+        let counts = Counts {
+            cells,
+            collisions,
+            ..Counts::default()
+        };
+        Self {
+            draws: columns(subject, BLOCK),
+            index: Vec::new(),
+            masked: Vec::new(),
+            counts,
+        }
+    }
+
+    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: u64) -> Result<BlockSums, String> {
+        let record = sample_block(subject, key, first, &mut self.draws)?;
+        self.counts.audit = self.counts.audit.plus(record.audit);
+        self.counts.lookups.observe(record.audit.lookups);
+        self.count(plan);
+        let early = if first == 0 { self.early(plan) } else { Vec::new() };
+        let mean = plan
+            .mean
+            .as_ref()
+            .map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
+        Ok(BlockSums {
+            mean,
+            channels: self.channels(plan),
+            seconds: record.seconds,
+            early,
+        })
+    }
+
+    fn count(&mut self, plan: &Plan) {
+        let Self {
+            draws, index, counts, ..
+        } = self;
+        if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
+            cells.observe(&law.truth, &draws.t, index);
+            if let Some(scores) = &law.scores {
+                counts.lag.observe(scores, index);
+            }
+            if law.pair.is_some() {
+                counts.ties.observe(&draws.t);
+            }
+        }
+        if let Some(collisions) = &mut counts.collisions {
+            collisions.observe(&draws.collisions, index);
+        }
+    }
+
+    /// Sums over the first 64, 128, .. draws, so that the running mean begins early.
+    fn early(&self, plan: &Plan) -> Vec<PowerSums> {
+        let Some(mean) = &plan.mean else { return Vec::new() };
+        let counts = (0..64).map(|i| (64.0 * libm::pow(1.09, f64::from(i))) as usize);
+        let part = |n: usize| PowerSums::of(mean.truth.expected, &self.draws.weight[..n]);
+        counts
+            .take_while(|&n| n < self.draws.weight.len())
+            .map(part)
+            .collect()
+    }
+
+    fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
+        let Some(channels) = &plan.channels else {
+            return Vec::new();
+        };
+        let Self { draws, masked, .. } = self;
+        let mut one = |claim: &crate::plan::ChannelClaim| {
+            let column = &draws.channels[claim.channel];
+            masked.clear();
+            masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
+                let counts = claim.event.holds(t) || t.is_nan();
+                if counts { w } else { 0.0 }
+            }));
+            let weights = PowerSums::of(claim.mean.expected, masked);
+            masked.iter_mut().for_each(|w| *w *= *w);
+            (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
+        };
+        channels.claims.iter().map(&mut one).collect()
+    }
+}
+
+impl Counts {
+    fn merge(&mut self, other: Self) {
+        if let (Some(a), Some(b)) = (&mut self.cells, &other.cells) {
+            a.merge(b);
+        }
+        if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
+            a.merge(b);
+        }
+        self.lag.merge(&other.lag);
+        self.ties.merge(other.ties);
+        self.lookups.merge(&other.lookups);
+        self.audit = self.audit.plus(other.audit);
+    }
+}
+
+impl Collected {
+    fn new(plan: &Plan) -> Self {
+        let sums = |claim: &crate::plan::ChannelClaim| {
+            (
+                PowerSums::new(claim.mean.expected),
+                PowerSums::new(claim.second_moment.unwrap_or(0.0)),
+            )
+        };
+        Self {
+            counts: Counts::default(),
+            mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
+            running: Running::default(),
+            channels: plan
+                .channels
+                .iter()
+                .flat_map(|channels| channels.claims.iter().map(sums))
+                .collect(),
+            draws: 0,
+            seconds: 0.0,
+        }
+    }
+
+    /// Takes in the next block, in block order.
+    fn fold(&mut self, block: &BlockSums) {
+        block.early.iter().for_each(|early| self.running.note(early));
+        if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
+            a.merge(b);
+            self.running.note(a);
+        }
+        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
+            weights.merge(w);
+            squares.merge(s);
+        }
+        self.draws += BLOCK as u64;
+        self.seconds += block.seconds;
+    }
+}
+
+/// What a run tells while it goes on, and whether it is to stop.
+pub struct Watch<'a> {
+    /// Set to cancel.
+    pub cancelled: &'a AtomicBool,
+    /// Called with the number of draws of each finished wave.
+    pub progress: &'a (dyn Fn(u64) + Sync),
+}
+
+/// The draws of `blocks`, folded: the same for any number of threads.
+///
+/// # Errors
+/// If the subject fails or the run is cancelled; of several failures, that of the first block.
+pub fn collect(
+    subject: &Subject,
+    plan: &Plan,
+    seed: u64,
+    blocks: Range<u64>,
+    watch: &Watch,
+) -> Result<Collected, Stopped> {
+    let threads = rayon::current_num_threads() + 1;
+    let workers: Vec<Mutex<Option<Worker>>> = (0..threads).map(|_| Mutex::new(None)).collect();
+    let mut collected = Collected::new(plan);
+    let mut start = blocks.start;
+    while start < blocks.end {
+        let end = if start + WAVE < blocks.end {
+            start + WAVE
+        } else {
+            blocks.end
+        };
+        let wave: Vec<Result<BlockSums, String>> = (start..end)
+            .into_par_iter()
+            .map(|block| {
+                let slot = &workers[rayon::current_thread_index().map_or(0, |i| i + 1)];
+                let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
+                let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
+                if watch.cancelled.load(Ordering::Relaxed) {
+                    return Err(String::new());
+                }
+                let key = Key {
+                    seed,
+                    subject: subject.key,
+                    block,
+                };
+                worker.run(subject, plan, key, block * BLOCK as u64)
+            })
+            .collect();
+        if watch.cancelled.load(Ordering::Relaxed) {
+            return Err(Stopped::Cancelled);
+        }
+        for block in wave {
+            collected.fold(&block.map_err(Stopped::Subject)?);
+        }
+        (watch.progress)((end - start) * BLOCK as u64);
+        start = end;
+    }
+    let parts = workers
+        .into_iter()
+        .filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
+    let mut parts = parts.map(|worker| worker.counts);
+    if let Some(first) = parts.next() {
+        collected.counts = parts.fold(first, |mut all, part| {
+            all.merge(part);
+            all
+        });
+    }
+    Ok(collected)
+}

@@ -1,0 +1,207 @@
+//! From evidence to verdicts, over the whole run at one family-wise error.
+
+use crate::evidence::holm;
+use crate::judge::Judged;
+use crate::verdict::{Reason, Verdict};
+
+/// The family-wise error of each stage.
+pub const STAGE_ALPHA: f64 = 1e-3;
+
+/// The designed false-alarm rate of a run: a failure by p-values needs both stages.
+pub const ALPHA: f64 = STAGE_ALPHA * STAGE_ALPHA;
+
+/// What a stage rejects: for each subject, for each piece of evidence, the adjusted p-value, if it has one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Adjusted(pub Vec<Vec<Option<f64>>>);
+
+/// Holm over all p-values of a stage, whatever subject they belong to.
+#[must_use]
+pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> Adjusted {
+    let evidence = |judged: Option<&'a Judged>| judged.map_or(&[][..], |judged| &judged.evidence);
+    let all: Vec<f64> = judged
+        .clone()
+        .flat_map(evidence)
+        .filter_map(|evidence| evidence.p)
+        .collect();
+    let mut adjusted = holm(&all).into_iter();
+    let of = |judged| {
+        evidence(judged)
+            .iter()
+            .map(|e| e.p.and_then(|_| adjusted.next()))
+            .collect()
+    };
+    Adjusted(judged.map(of).collect())
+}
+
+/// Whether an adjusted p-value rejects: NaN does.
+#[must_use]
+pub fn rejects(adjusted: Option<f64>) -> bool {
+    adjusted.is_some_and(|p| !(p > STAGE_ALPHA))
+}
+
+/// Whether stage 1 gives cause for stage 2: any raw p at or below the stage's error.
+#[must_use]
+pub fn suspect(judged: &Judged) -> bool {
+    judged.evidence.iter().any(|evidence| rejects(evidence.p))
+}
+
+/// A verdict with its reasons and a sentence for each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decision {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Most telling first, each once.
+    pub reasons: Vec<Reason>,
+    /// One sentence for each finding.
+    pub notes: Vec<String>,
+}
+
+/// One stage of one subject: what was judged, and the adjusted p-values.
+#[derive(Clone, Copy)]
+pub struct Stage<'a> {
+    /// Evidence, facts and gates.
+    pub judged: &'a Judged,
+    /// For each piece of evidence.
+    pub adjusted: &'a [Option<f64>],
+}
+
+impl Stage<'_> {
+    fn rejections(&self) -> Vec<(Reason, String)> {
+        let rejected = self
+            .judged
+            .evidence
+            .iter()
+            .zip(self.adjusted)
+            .filter(|(_, adjusted)| rejects(**adjusted));
+        let sentence = |p: f64, adjusted: f64| format!("p = {p:.2e}, {adjusted:.2e} after Holm");
+        let note = rejected.map(|(evidence, adjusted)| {
+            let numbers = sentence(evidence.p.unwrap_or(0.0), adjusted.unwrap_or(0.0));
+            (
+                evidence.reason,
+                format!(
+                    "{} rejects: {numbers} (statistic {:.4})",
+                    evidence.name, evidence.statistic
+                ),
+            )
+        });
+        note.collect()
+    }
+}
+
+/// Facts fail at once; a rejection fails if both stages make one; what is left open is inconclusive.
+#[must_use]
+pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
+    let (one, two) = (
+        first.rejections(),
+        second.map(|stage| stage.rejections()).unwrap_or_default(),
+    );
+    let mut found: Vec<(Reason, String)> = first.judged.facts.clone();
+    if !one.is_empty() && !two.is_empty() {
+        found.extend(two);
+    } else if !one.is_empty() || !two.is_empty() {
+        let why = "only one of the two stages rejects: more draws would tell";
+        return open(vec![(Reason::NotEnoughDraws, why.into())], found);
+    }
+    if found.is_empty() {
+        return open(first.judged.gates.clone(), found);
+    }
+    summary(Verdict::Fail, found)
+}
+
+fn open(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
+    match (facts.is_empty(), gates.is_empty()) {
+        (false, _) => summary(Verdict::Fail, facts),
+        (true, false) => summary(Verdict::Inconclusive, gates),
+        (true, true) => summary(Verdict::Pass, Vec::new()),
+    }
+}
+
+fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
+    found.sort_by_key(|(reason, _)| *reason);
+    let mut reasons: Vec<Reason> = found.iter().map(|(reason, _)| *reason).collect();
+    reasons.dedup();
+    Decision {
+        verdict,
+        reasons,
+        notes: found.into_iter().map(|(_, note)| note).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evidence::Evidence;
+
+    fn judged(p: &[f64]) -> Judged {
+        let evidence = p
+            .iter()
+            .map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased))
+            .collect();
+        Judged {
+            evidence,
+            ..Judged::default()
+        }
+    }
+
+    fn verdict(one: &[f64], two: Option<&[f64]>) -> Verdict {
+        let (one, two) = (judged(one), two.map(judged));
+        let (a, b) = (
+            adjust([Some(&one)].into_iter()),
+            adjust([two.as_ref()].into_iter()),
+        );
+        let second = two.as_ref().map(|judged| Stage {
+            judged,
+            adjusted: &b.0[0],
+        });
+        decide(
+            Stage {
+                judged: &one,
+                adjusted: &a.0[0],
+            },
+            second,
+        )
+        .verdict
+    }
+
+    #[test]
+    fn a_failure_needs_both_stages() {
+        assert_eq!(verdict(&[1e-9, 0.5], Some(&[1e-9, 0.5])), Verdict::Fail);
+        assert_eq!(verdict(&[1e-9, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
+        assert_eq!(verdict(&[7e-4, 0.5], Some(&[0.2, 0.5])), Verdict::Pass);
+        assert_eq!(verdict(&[0.3, 0.5], None), Verdict::Pass);
+    }
+
+    #[test]
+    fn nan_is_suspect_and_rejects() {
+        assert!(suspect(&judged(&[f64::NAN])));
+        assert_eq!(verdict(&[f64::NAN], Some(&[f64::NAN])), Verdict::Fail);
+    }
+
+    #[test]
+    fn a_fact_fails_without_p_values() {
+        let fact = Judged {
+            facts: vec![(Reason::BoundViolated, "1".into())],
+            ..judged(&[0.5])
+        };
+        let adjusted = adjust([Some(&fact)].into_iter());
+        let decision = decide(
+            Stage {
+                judged: &fact,
+                adjusted: &adjusted.0[0],
+            },
+            None,
+        );
+        assert_eq!(
+            (decision.verdict, decision.reasons),
+            (Verdict::Fail, vec![Reason::BoundViolated])
+        );
+    }
+
+    #[test]
+    fn holm_runs_over_all_subjects() {
+        let (a, b) = (judged(&[4e-4]), judged(&[0.5, 0.5, 0.5]));
+        let adjusted = adjust([Some(&a), None, Some(&b)].into_iter());
+        assert!((adjusted.0[0][0].unwrap_or(0.0) - 1.6e-3).abs() < 1e-15);
+        assert!(adjusted.0[1].is_empty());
+    }
+}

@@ -1,0 +1,109 @@
+//! Evidence: numbers, computed and not yet judged.
+
+use crate::verdict::Reason;
+
+/// The level at which intervals, bands, `bound` and `detectable` are given: what Holm leaves to one test of a large run.
+pub const REPORTING_LEVEL: f64 = 1e-6;
+
+/// The power at which `detectable` is given.
+pub const POWER: f64 = 0.9;
+
+/// The outcome of one test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evidence {
+    /// The test's name, as `freepath describe` takes it.
+    pub name: String,
+    /// The statistic.
+    pub statistic: f64,
+    /// Degrees of freedom, if any.
+    pub dof: Option<f64>,
+    /// Probability of a statistic as extreme under the claim; none if a gate keeps the test out of the verdict.
+    pub p: Option<f64>,
+    /// What a rejection means.
+    pub reason: Reason,
+    /// Why there is no p-value, or what the statistic is made of.
+    pub note: String,
+}
+
+impl Evidence {
+    /// Evidence with a p-value. A NaN p-value becomes 0: it rejects.
+    #[must_use]
+    pub fn new(name: impl Into<String>, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> Self {
+        let p = if p >= 0.0 && p <= 1.0 { p } else { 0.0 };
+        Self {
+            name: name.into(),
+            statistic,
+            dof,
+            p: Some(p),
+            reason,
+            note: String::new(),
+        }
+    }
+
+    /// A statistic that its gate keeps out of the verdict, and why.
+    #[must_use]
+    pub fn withheld(name: impl Into<String>, statistic: f64, reason: Reason, why: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            statistic,
+            dof: None,
+            p: None,
+            reason,
+            note: why.into(),
+        }
+    }
+
+    /// The same with a note.
+    #[must_use]
+    pub fn noted(self, note: impl Into<String>) -> Self {
+        Self {
+            note: note.into(),
+            ..self
+        }
+    }
+}
+
+/// Holm's step-down adjustment (Holm 1979): the smallest family-wise error at which each hypothesis is rejected.
+///
+/// A NaN counts as 0.
+#[must_use]
+pub fn holm(p: &[f64]) -> Vec<f64> {
+    let m = p.len();
+    let p: Vec<f64> = p.iter().map(|&p| if p >= 0.0 { p } else { 0.0 }).collect();
+    let mut order: Vec<usize> = (0..m).collect();
+    order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));
+    let (mut adjusted, mut least) = (vec![1.0; m], 0.0);
+    for (rank, &i) in order.iter().enumerate() {
+        let here = (m - rank) as f64 * p[i];
+        least = if here > least { here } else { least };
+        adjusted[i] = if least < 1.0 { least } else { 1.0 };
+    }
+    adjusted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holm_is_the_textbook_procedure() {
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
+        let adjusted = holm(&[0.01, 0.04, 0.03, 0.005]);
+        assert!(
+            adjusted
+                .iter()
+                .zip([0.03, 0.06, 0.06, 0.02])
+                .all(|(&a, b)| close(a, b))
+        );
+        assert!(holm(&[]).is_empty());
+    }
+
+    #[test]
+    fn nan_is_rejected() {
+        assert_eq!(holm(&[f64::NAN, 0.5]), vec![0.0, 0.5]);
+        assert_eq!(
+            Evidence::new("x", 1.0, None, f64::NAN, Reason::Biased).p,
+            Some(0.0)
+        );
+    }
+}

@@ -1,0 +1,191 @@
+//! From what was collected to evidence: every claim that stands is put to its tests.
+
+use crate::collect::Collected;
+use crate::evidence::Evidence;
+use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
+use crate::subject::{BLOCK, Scene, Subject};
+use crate::tally::{CellTally, PowerSums};
+use crate::test;
+use crate::verdict::Reason;
+
+/// What can be said of a subject after one stage.
+#[derive(Clone, Debug, Default)]
+pub struct Judged {
+    /// Tests with p-values, and those withheld.
+    pub evidence: Vec<Evidence>,
+    /// What contradicts a claim for certain.
+    pub facts: Vec<(Reason, String)>,
+    /// What could not be judged.
+    pub gates: Vec<(Reason, String)>,
+}
+
+/// Puts the claims of `plan` to what was collected.
+#[must_use]
+pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
+    let mut judged = Judged::default();
+    judged.audit(plan, seen);
+    if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
+        judged.law(subject, law, cells, seen);
+    }
+    if let (Some(mean), Some(sums)) = (&plan.mean, &seen.mean) {
+        judged.mean(mean, sums);
+    }
+    if let Some(channels) = &plan.channels {
+        if let Some(integral) = channels.pdf_integral {
+            judged.evidence.push(pdf_integral(integral));
+        }
+        for (claim, sums) in channels.claims.iter().zip(&seen.channels) {
+            judged.channel(claim, sums);
+        }
+    }
+    if let (Some(mean), Some(counts)) = (plan.poisson, &seen.counts.collisions) {
+        judged.evidence.push(test::poisson_count(counts, mean));
+    }
+    if let Some(expected) = plan.lookups {
+        judged
+            .evidence
+            .push(test::lookups(&seen.counts.lookups, BLOCK, expected));
+    }
+    judged
+}
+
+/// The density that a sampler returns is one: an identity without noise.
+fn pdf_integral(integral: f64) -> Evidence {
+    let same = (integral - 1.0).abs() <= 1e-9;
+    Evidence::new(
+        "pdf_integral",
+        integral - 1.0,
+        None,
+        f64::from(u8::from(same)),
+        Reason::WrongLaw,
+    )
+}
+
+impl Judged {
+    fn fact(&mut self, count: u64, reason: Reason, what: &str) {
+        if count > 0 {
+            self.facts.push((reason, format!("{count} {what}")));
+        }
+    }
+
+    fn audit(&mut self, plan: &Plan, seen: &Collected) {
+        let audit = seen.counts.audit;
+        if plan.bounded {
+            let what = format!("of {} look-ups lie above the majorant", audit.lookups);
+            self.fact(audit.above, Reason::BoundViolated, &what);
+        }
+        let what = format!("of {} look-ups lie outside the ray", audit.lookups);
+        self.fact(audit.outside, Reason::OutOfSupport, &what);
+        if let Some(sums) = &seen.mean {
+            self.fact(sums.non_finite, Reason::NonFinite, "draws are NaN or infinite");
+        }
+        let spoilt: u64 = seen.channels.iter().map(|(weights, _)| weights.non_finite).sum();
+        self.fact(spoilt, Reason::NonFinite, "weights are NaN or infinite");
+    }
+
+    fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
+        self.fact(cells.non_finite, Reason::NonFinite, "draws are NaN");
+        self.fact(
+            cells.out_of_support,
+            Reason::OutOfSupport,
+            "draws lie outside the ray",
+        );
+        self.follows("", &plan.truth, cells, plan.reason);
+        if let Some(own) = &plan.own {
+            self.follows("own_", own, cells, Reason::WrongLaw);
+        }
+        if let (true, Scene::Grey { truth, .. }, Some(counts)) =
+            (plan.coleman, subject.scene, &seen.counts.collisions)
+        {
+            let null_depth = |t: f64| {
+                let depth = truth.majorants().depth(t) - truth.tau(t);
+                if depth < 0.0 { 0.0 } else { depth }
+            };
+            self.evidence
+                .push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
+        }
+        if let Some(pair) = plan.pair {
+            self.evidence
+                .push(test::ties(&seen.counts.ties, cells.collided(), pair));
+        }
+        if let Some(scores) = &plan.scores {
+            self.evidence.push(test::lag(scores, &seen.counts.lag));
+        }
+    }
+
+    /// The tests of one law: escape atom, chi-square at three scales, Kolmogorov-Smirnov.
+    fn follows(&mut self, prefix: &str, law: &crate::law::Law, cells: &CellTally, reason: Reason) {
+        let n = cells.draws();
+        let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
+        let all = [
+            test::atom(n, cells.escapes, law.atom(), law.slack(), reason),
+            test::chi_square("chi_square_16", law, cells, 16, reason),
+            test::chi_square("chi_square_64", law, cells, 64, reason),
+            test::chi_square("chi_square_fine", law, cells, fine, reason),
+            test::kolmogorov(law, cells, reason),
+        ];
+        let rename = |evidence: Evidence| Evidence {
+            name: format!("{prefix}{}", evidence.name),
+            ..evidence
+        };
+        self.evidence.extend(all.into_iter().map(rename));
+    }
+
+    fn mean(&mut self, plan: &MeanPlan, sums: &PowerSums) {
+        let (evidence, interval) = test::mean("mean", sums, &plan.truth, Reason::Biased);
+        self.gate(sums, &plan.truth, &evidence, &interval, "mean");
+        self.evidence.push(evidence);
+        if let Some(own) = &plan.own {
+            self.evidence
+                .push(test::mean("own_mean", sums, own, Reason::WrongLaw).0);
+        }
+        if let Some(moments) = &plan.moments {
+            self.evidence.push(test::second_moment(sums, moments));
+        }
+    }
+
+    fn channel(&mut self, claim: &ChannelClaim, (weights, squares): &(PowerSums, PowerSums)) {
+        let (evidence, interval) = test::mean(&claim.name, weights, &claim.mean, Reason::Biased);
+        self.gate(weights, &claim.mean, &evidence, &interval, &claim.name);
+        self.evidence.push(evidence);
+        if let Some(expected) = claim.second_moment {
+            let square = test::MeanClaim {
+                expected,
+                variance: None,
+                skewness: None,
+                ..claim.mean
+            };
+            let name = format!("second_moment_{}", claim.name);
+            self.evidence
+                .push(test::mean(&name, squares, &square, Reason::WrongVariance).0);
+        }
+    }
+
+    /// A mean that could not be judged, or whose interval still allows an error as large as the mean itself.
+    fn gate(
+        &mut self,
+        sums: &PowerSums,
+        claim: &test::MeanClaim,
+        evidence: &Evidence,
+        interval: &test::Interval,
+        what: &str,
+    ) {
+        let (expected, bound) = (claim.expected, interval.bound());
+        let error = (sums.variance() / sums.n as f64).sqrt();
+        let known = claim.variance.map_or(0.0, |v| (v / sums.n as f64).sqrt());
+        let rare = !(error <= 0.1 * expected && known <= 0.1 * expected);
+        if evidence.p.is_none() {
+            let reason = if rare {
+                Reason::RareEvent
+            } else {
+                Reason::HeavyTail
+            };
+            self.gates.push((reason, format!("{what}: {}", evidence.note)));
+        } else if !(bound < expected) && expected > 0.0 {
+            let why = format!(
+                "{what}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}"
+            );
+            self.gates.push((Reason::RareEvent, why));
+        }
+    }
+}

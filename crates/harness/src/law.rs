@@ -1,0 +1,192 @@
+//! The law of a free path: fine cells with fixed edges, their masses, and the escape atom.
+
+/// Fewest fine cells; always an odd number, so that no midpoint of a step rule falls on an edge.
+const FEWEST_CELLS: usize = (1 << 14) + 1;
+/// Most fine cells.
+const MOST_CELLS: usize = (1 << 18) + 1;
+
+/// A mixed law on [0, length) with an atom at escape, tabulated once at the edges of equal cells.
+#[derive(Clone, Debug)]
+pub struct Law {
+    length: f64,
+    scale: f64,
+    /// P(t > edge) at the edges of the cells: one more than cells, first 1, last the atom.
+    survival: Vec<f64>,
+    slack: f64,
+}
+
+/// Neighbouring fine cells taken together: cell `i` of the group holds the fine cells `bounds[i]..bounds[i + 1]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Groups {
+    /// Increasing, from 0 to the number of fine cells.
+    pub bounds: Vec<usize>,
+    /// Probability of each cell.
+    pub mass: Vec<f64>,
+}
+
+impl Law {
+    /// The law with survival function `survival` on [0, `length`], known up to `slack`: equal cells, refined until none
+    /// holds more than 1/2048 of the collisions or there are 2^18.
+    ///
+    /// Cost: 2^14 to 2^18 evaluations.
+    pub fn new(length: f64, slack: f64, survival: impl Fn(f64) -> f64) -> Self {
+        let mut cells = FEWEST_CELLS;
+        loop {
+            let law = Self::tabulate(length, slack, cells, &survival);
+            let heaviest = (0..cells)
+                .map(|k| law.mass(k))
+                .fold(0.0, |a, b| if b > a { b } else { a });
+            if heaviest * 2048.0 <= law.collided() || cells >= MOST_CELLS {
+                return law;
+            }
+            cells = 2 * (cells - 1) + 1;
+        }
+    }
+
+    /// Another law on the same cells.
+    #[must_use]
+    pub fn with_survival(&self, slack: f64, survival: impl Fn(f64) -> f64) -> Self {
+        Self::tabulate(self.length, slack, self.cells(), &survival)
+    }
+
+    fn tabulate(length: f64, slack: f64, cells: usize, survival: &impl Fn(f64) -> f64) -> Self {
+        let edge = |k: usize| {
+            if k == cells {
+                length
+            } else {
+                length * k as f64 / cells as f64
+            }
+        };
+        let survival = (0..=cells).map(|k| survival(edge(k))).collect();
+        Self {
+            length,
+            scale: cells as f64 / length,
+            survival,
+            slack,
+        }
+    }
+
+    /// Length of the ray.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// How far every probability may be off.
+    #[must_use]
+    pub fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// Number of fine cells.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.survival.len() - 1
+    }
+
+    /// Cells per length.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The left edge of fine cell `k`.
+    #[must_use]
+    pub fn edge(&self, k: usize) -> f64 {
+        if k == self.cells() {
+            self.length
+        } else {
+            k as f64 / self.scale
+        }
+    }
+
+    /// P(t > edge k).
+    #[must_use]
+    pub fn survival(&self, k: usize) -> f64 {
+        self.survival[k]
+    }
+
+    /// P(t <= edge k).
+    #[must_use]
+    pub fn cdf(&self, k: usize) -> f64 {
+        1.0 - self.survival[k]
+    }
+
+    /// Probability of fine cell `k`.
+    #[must_use]
+    pub fn mass(&self, k: usize) -> f64 {
+        self.survival[k] - self.survival[k + 1]
+    }
+
+    /// Probability of escape.
+    #[must_use]
+    pub fn atom(&self) -> f64 {
+        self.survival[self.cells()]
+    }
+
+    /// Probability of a collision.
+    #[must_use]
+    pub fn collided(&self) -> f64 {
+        self.survival[0] - self.atom()
+    }
+
+    /// Probability of the fine cells `from..to`.
+    #[must_use]
+    pub fn mass_between(&self, from: usize, to: usize) -> f64 {
+        self.survival[from] - self.survival[to]
+    }
+
+    /// At most `wanted` groups of nearly equal probability; fewer where one cell holds the share of several.
+    #[must_use]
+    pub fn groups(&self, wanted: usize) -> Groups {
+        let (per_group, mut bounds, mut next) = (wanted as f64 / self.collided(), vec![0], 1.0);
+        for k in 1..self.cells() {
+            let reached = self.mass_between(0, k) * per_group;
+            if reached >= next && wanted as f64 - reached >= 0.5 {
+                bounds.push(k);
+                next = reached.floor() + 1.0;
+            }
+        }
+        bounds.push(self.cells());
+        let mass = bounds.windows(2).map(|w| self.mass_between(w[0], w[1])).collect();
+        Groups { bounds, mass }
+    }
+}
+
+impl Groups {
+    /// The counts of fine cells, group by group.
+    #[must_use]
+    pub fn gather(&self, counts: &[u64]) -> Vec<u64> {
+        self.bounds
+            .windows(2)
+            .map(|w| counts[w[0]..w[1]].iter().sum())
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_are_nearly_equal_and_cover_everything() {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-1.3 * t));
+        let groups = law.groups(64);
+        assert_eq!(groups.mass.len(), 64);
+        let total: f64 = groups.mass.iter().sum();
+        assert!((total + law.atom() - 1.0).abs() < 1e-12);
+        assert!(
+            groups
+                .mass
+                .iter()
+                .all(|m| (m * 64.0 / law.collided() - 1.0).abs() < 0.02)
+        );
+    }
+
+    #[test]
+    fn a_heavy_cell_refines_the_law() {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-500.0 * t));
+        assert!(law.cells() > FEWEST_CELLS && law.cells() % 2 == 1);
+    }
+}

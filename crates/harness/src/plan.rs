@@ -1,0 +1,150 @@
+//! From a subject's claims to what is tallied and tested.
+
+use crate::case::Claim;
+use crate::law::Law;
+use crate::subject::{Scene, Subject, Work};
+use crate::tally::Scores;
+use crate::test::{MeanClaim, pair_probability};
+use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{ChromaticSampler, Medium};
+
+mod chromatic;
+mod design;
+mod free_path;
+mod transmittance;
+
+pub use chromatic::{ChannelClaim, ChannelsPlan, Event};
+pub use design::Design;
+pub use free_path::LawPlan;
+pub use transmittance::MeanPlan;
+
+/// What is claimed of a subject's draws, and so what is tallied of them.
+pub struct Plan {
+    /// Of the column `t`.
+    pub law: Option<LawPlan>,
+    /// Of the column `weight`.
+    pub mean: Option<MeanPlan>,
+    /// Of the weights per channel.
+    pub channels: Option<ChannelsPlan>,
+    /// `collisions` is Poisson with this mean.
+    pub poisson: Option<f64>,
+    /// Look-ups per draw.
+    pub lookups: Option<f64>,
+    /// One look-up above the majorant fails.
+    pub bounded: bool,
+    /// What a method that is biased by design should be found to be.
+    pub design: Design,
+    /// For step rules: the predicted order, and the bias of its own law.
+    pub order: Option<(f64, f64)>,
+}
+
+impl Plan {
+    /// The claims of `subject` that still stand.
+    #[must_use]
+    pub fn of(subject: &Subject) -> Self {
+        let mut plan = match (subject.work, subject.scene) {
+            (Work::Exact, Scene::Grey { truth, .. }) => {
+                let claims = FreePathClaims {
+                    bounded: false,
+                    lookups: Some(0.0),
+                    ..FreePathClaims::default()
+                };
+                Self::free_path(subject, truth, &claims)
+            }
+            (Work::FreePath(sampler), Scene::Grey { truth, .. }) => {
+                Self::free_path(subject, truth, &sampler.claims(truth))
+            }
+            (Work::ClosedForm, Scene::Grey { truth, .. }) => {
+                Self::transmittance(subject, truth, &closed_form(truth))
+            }
+            (Work::Transmittance(estimator), Scene::Grey { truth, .. }) => {
+                Self::transmittance(subject, truth, &estimator.claims(truth))
+            }
+            (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Self::chromatic(subject, sampler, medium),
+            _ => Self::nothing(),
+        };
+        plan.bounded &= subject.claims(Claim::Bounded);
+        if !subject.claims(Claim::Lookups) {
+            (plan.lookups, plan.poisson) = (None, None);
+        }
+        plan
+    }
+
+    /// A subject in a scene that does not fit it: no claim.
+    fn nothing() -> Self {
+        Self {
+            law: None,
+            mean: None,
+            channels: None,
+            poisson: None,
+            lookups: None,
+            bounded: false,
+            design: Design::Unbiased,
+            order: None,
+        }
+    }
+
+    fn free_path(subject: &Subject, truth: &dyn Medium, claims: &FreePathClaims) -> Self {
+        let law = LawPlan::of(subject, truth, claims);
+        let order = claims.order.map(|order| (order, law.design_distance()));
+        Self {
+            design: Design::of_law(&law, subject.draws),
+            law: Some(law),
+            lookups: claims.lookups,
+            bounded: claims.bounded,
+            order,
+            ..Self::nothing()
+        }
+    }
+
+    fn transmittance(subject: &Subject, truth: &dyn Medium, claims: &TransmittanceClaims) -> Self {
+        let mean = MeanPlan::of(subject, truth, claims);
+        let order = claims.order.map(|order| (order, mean.design_bias()));
+        Self {
+            design: Design::of_mean(&mean, subject.draws),
+            mean: Some(mean),
+            poisson: claims.poisson,
+            lookups: claims.lookups,
+            bounded: claims.bounded,
+            order,
+            ..Self::nothing()
+        }
+    }
+
+    fn chromatic(subject: &Subject, sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Self {
+        let claims = sampler.claims(&medium.channels());
+        let law = claims
+            .mixture
+            .as_ref()
+            .map(|mixture| LawPlan::of_mixture(subject, medium, mixture));
+        let channels = ChannelsPlan::of(subject, sampler, medium, &claims);
+        Self {
+            law,
+            channels: Some(channels),
+            ..Self::nothing()
+        }
+    }
+}
+
+fn closed_form(truth: &dyn Medium) -> TransmittanceClaims {
+    let transmittance = libm::exp(-truth.tau(truth.length()));
+    TransmittanceClaims {
+        bounded: false,
+        moments: Some(std::array::from_fn(|k| libm::pow(transmittance, (k + 1) as f64))),
+        range: Some((0.0, 1.0)),
+        lookups: Some(0.0),
+        ..TransmittanceClaims::default()
+    }
+}
+
+/// Variance and skewness from raw moments.
+fn spread(moments: &[f64; 6]) -> (f64, f64) {
+    let [m1, m2, m3, ..] = *moments;
+    let variance = m2 - m1 * m1;
+    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
+    (
+        if variance > 0.0 { variance } else { 0.0 },
+        third / (variance * variance.sqrt()),
+    )
+}

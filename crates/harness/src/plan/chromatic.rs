@@ -1,0 +1,127 @@
+use super::{ChromaticMedium, ChromaticSampler, MeanClaim, Subject};
+use freepath_estimators::claims::{Channel, ChromaticClaims};
+use freepath_estimators::quadrature::integrate;
+
+/// Which event a weight belongs to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// Any scattering.
+    Scatter,
+    /// Reaching the end of the ray.
+    Surface,
+    /// Scattering at t in [from, to).
+    Between(f64, f64),
+}
+
+impl Event {
+    /// Whether a draw at `t` is this event.
+    #[inline(always)]
+    #[must_use]
+    pub fn holds(self, t: f64) -> bool {
+        match self {
+            Self::Scatter => t < f64::INFINITY,
+            Self::Surface => t == f64::INFINITY,
+            Self::Between(from, to) => from <= t && t < to,
+        }
+    }
+}
+
+/// The weighted mean of one event in one channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelClaim {
+    /// Which channel.
+    pub channel: usize,
+    /// Which event.
+    pub event: Event,
+    /// The name of its test.
+    pub name: String,
+    /// E[w; event].
+    pub mean: MeanClaim,
+    /// E[w^2; event], where a formula is known.
+    pub second_moment: Option<f64>,
+}
+
+/// Every weighted mean of a chromatic sampler.
+pub struct ChannelsPlan {
+    /// Channel by channel: scatter, surface, then bins of t.
+    pub claims: Vec<ChannelClaim>,
+    /// The integral of the pdf over the ray plus the probability of the surface, if the sampler offers its pdf.
+    pub pdf_integral: Option<f64>,
+}
+
+/// Bins of t in which the weighted mean is tested.
+const BINS: usize = 8;
+
+impl ChannelsPlan {
+    pub(super) fn of(
+        subject: &Subject,
+        sampler: &dyn ChromaticSampler,
+        medium: &ChromaticMedium,
+        claims: &ChromaticClaims,
+    ) -> Self {
+        let channels = medium.channels();
+        let length = medium.length();
+        let each = |(k, channel): (usize, &Channel)| of_channel(subject, k, channel, length, claims);
+        let claims = channels.iter().enumerate().flat_map(each).collect();
+        let inside = |t: f64| sampler.pdf(&channels, t).unwrap_or(f64::NAN);
+        let surface = sampler.pdf(&channels, f64::INFINITY);
+        let pdf_integral = surface.map(|surface| surface + integrate(&inside, 0.0, length, &[]).value);
+        Self { claims, pdf_integral }
+    }
+}
+
+fn of_channel(
+    subject: &Subject,
+    k: usize,
+    channel: &Channel,
+    length: f64,
+    claims: &ChromaticClaims,
+) -> Vec<ChannelClaim> {
+    let (mu, albedo) = (channel.extinction.mu(0.0), channel.albedo);
+    let between = |a: f64, b: f64| albedo * (libm::exp(-mu * a) - libm::exp(-mu * b));
+    let edge = |bin: usize| length * bin as f64 / BINS as f64;
+    let claim = |event, name: String, expected: f64, second_moment: Option<f64>| {
+        let variance = second_moment.map(|m2| m2 - expected * expected);
+        let variance = variance.map(|v| if v > 0.0 { v } else { 0.0 });
+        let mean = MeanClaim {
+            expected,
+            slack: subject.tolerance,
+            binary: false,
+            range: None,
+            variance,
+            skewness: None,
+        };
+        ChannelClaim {
+            channel: k,
+            event,
+            name,
+            mean,
+            second_moment,
+        }
+    };
+    let of = |moments: &Option<Vec<f64>>| moments.as_ref().and_then(|m| m.get(k).copied());
+    let mut all = vec![
+        claim(
+            Event::Scatter,
+            format!("scatter_{k}"),
+            between(0.0, length),
+            of(&claims.scatter_moments),
+        ),
+        claim(
+            Event::Surface,
+            format!("surface_{k}"),
+            libm::exp(-mu * length),
+            of(&claims.surface_moments),
+        ),
+    ];
+    all.extend((0..BINS).map(|bin| {
+        let (from, to) = (edge(bin), edge(bin + 1));
+        claim(
+            Event::Between(from, to),
+            format!("scatter_{k}_bin_{bin}"),
+            between(from, to),
+            None,
+        )
+    }));
+    all
+}

@@ -1,0 +1,73 @@
+use crate::real::Real;
+use serde::{Deserialize, Serialize};
+
+/// A mean against its truth.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct MeanResult {
+    /// The truth.
+    pub expected: Real,
+    /// The mean that the method has by design, if that is not the truth.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub own: Option<Real>,
+    /// The mean of the draws.
+    pub estimate: Real,
+    /// estimate - expected.
+    pub bias: Real,
+    /// Limits of the bias at the reporting level.
+    pub low: Real,
+    /// As `low`.
+    pub high: Real,
+    /// The largest |bias| that the interval still allows.
+    pub bound: Real,
+    /// The |bias| that would have been seen with 90 % power.
+    pub detectable: Real,
+    /// Sample variance of one draw.
+    pub variance: Real,
+    /// Variance by formula.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub variance_expected: Option<Real>,
+    /// Sample skewness of one draw.
+    pub skewness: Real,
+    /// How the interval was made: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein` or `exact`.
+    pub method: String,
+}
+
+/// One channel of a chromatic sampler: the weighted mean of one event.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct ChannelResult {
+    /// Which channel, from 0.
+    pub channel: usize,
+    /// `scatter` or `surface`.
+    pub event: String,
+    /// The mean of the weights.
+    pub mean: MeanResult,
+}
+
+/// The running mean of stage 1, on a log scale of draws.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+pub struct RunningSeries {
+    /// Draws so far.
+    pub draws: Vec<Real>,
+    /// Their mean.
+    pub mean: Vec<Real>,
+    /// Half width of the interval at the reporting level.
+    pub half_width: Vec<Real>,
+}
+
+/// 1 / (variance x cost), cost in look-ups per draw; seconds are in timings.json.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Efficiency {
+    /// Relative variance of one draw, Var / T^2; mean squared error for a biased method.
+    pub relative_variance: Real,
+    /// Limits of the relative variance at 95 %.
+    pub low: Real,
+    /// As `low`.
+    pub high: Real,
+    /// Zero variance: nothing to compare.
+    pub exact: bool,
+    /// May stand in a ranking.
+    pub ranked: bool,
+    /// Why not, in words.
+    #[serde(skip_serializing_if = "String::is_empty", default)]
+    pub refusal: String,
+}

@@ -1,0 +1,38 @@
+use crate::real::Real;
+use serde::{Deserialize, Serialize};
+
+/// One medium along one ray.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct MediumResult {
+    /// The case file.
+    pub file: String,
+    /// The title of the case.
+    pub case: String,
+    /// Which of the case's rays, if it has several.
+    pub ray: Option<usize>,
+    /// Its name in `freepath list`, such as `gaussian`.
+    pub medium: String,
+    /// As in the case.
+    pub parameters: serde_json::Value,
+    /// Length of the ray.
+    pub length: Real,
+    /// Optical depth of the ray; one for each channel.
+    pub tau: Vec<Real>,
+    /// Least and greatest mu.
+    pub extrema: [Real; 2],
+    /// What the plot draws; one for each channel.
+    pub series: Vec<MediumSeries>,
+}
+
+/// mu, its majorant and T along the ray.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+pub struct MediumSeries {
+    /// Where.
+    pub t: Vec<Real>,
+    /// Extinction.
+    pub mu: Vec<Real>,
+    /// Its bound.
+    pub majorant: Vec<Real>,
+    /// exp(-tau(t)).
+    pub transmittance: Vec<Real>,
+}

@@ -1,0 +1,224 @@
+//! A run: every subject through stage 1, the suspects through stage 2, one decision over all, results.
+
+use crate::case::{Prepared, PreparedSubject};
+use crate::collect::{Collected, Stopped, Watch, collect};
+use crate::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
+use crate::evidence::REPORTING_LEVEL;
+use crate::judge::{Judged, judge};
+use crate::plan::Plan;
+use crate::real::Real;
+use crate::results::{Results, SCHEMA_VERSION, SubjectTiming};
+use crate::subject::Subject;
+use crate::verdict::{Reason, Verdict};
+use std::sync::atomic::AtomicBool;
+
+mod expect;
+mod grow;
+mod media;
+mod series;
+mod subjects;
+
+pub use expect::expected;
+
+/// What a run needs to know beside its cases.
+pub struct Options<'a> {
+    /// The seed of all streams.
+    pub seed: u64,
+    /// Set to cancel.
+    pub cancelled: &'a AtomicBool,
+    /// Told of the draws done, and the subject that is being run.
+    pub progress: &'a (dyn Fn(u64, &str) + Sync),
+    /// The command that gives these results again, without filter.
+    pub repro: String,
+}
+
+/// The results, and what depends on the clock.
+pub struct Outcome {
+    /// results.json.
+    pub results: Results,
+    /// The part of timings.json that the run knows.
+    pub timings: Vec<SubjectTiming>,
+}
+
+/// The run was cancelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cancelled;
+
+/// One subject on its way through the stages.
+struct Trial<'a> {
+    case: &'a Prepared,
+    prepared: &'a PreparedSubject,
+    subject: Subject<'a>,
+    plan: Plan,
+    first: Stage1,
+    second: Option<(Judged, u64)>,
+    seconds: f64,
+}
+
+/// What stage 1 gave.
+struct Stage1 {
+    judged: Judged,
+    collected: Option<Collected>,
+}
+
+/// Runs every subject of every case.
+///
+/// # Errors
+/// If the run is cancelled.
+pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> {
+    let mut trials = Vec::new();
+    for case in cases {
+        for prepared in &case.subjects {
+            trials.push(stage_one(case, prepared, options)?);
+        }
+    }
+    for trial in &mut trials {
+        if suspect(&trial.first.judged) {
+            stage_two(trial, options)?;
+        }
+    }
+    let first = adjust(trials.iter().map(|trial| Some(&trial.first.judged)));
+    let second = adjust(
+        trials
+            .iter()
+            .map(|trial| trial.second.as_ref().map(|(judged, _)| judged)),
+    );
+    let adjusted = [first.0, second.0];
+    Ok(outcome(cases, &trials, &adjusted, options))
+}
+
+fn progress(options: &Options, name: &str, draws: u64) {
+    (options.progress)(draws, name);
+}
+
+fn stage_one<'a>(
+    case: &'a Prepared,
+    prepared: &'a PreparedSubject,
+    options: &Options,
+) -> Result<Trial<'a>, Cancelled> {
+    let subject = prepared.runnable(&case.world, &case.case);
+    let plan = Plan::of(&subject);
+    let tell = |draws| progress(options, &prepared.name, draws);
+    tell(0);
+    let watch = Watch {
+        cancelled: options.cancelled,
+        progress: &tell,
+    };
+    let blocks = Subject::blocks(subject.draws);
+    let mut seconds = 0.0;
+    let first = match collect(&subject, &plan, options.seed, 0..blocks, &watch) {
+        Ok(collected) => {
+            seconds = collected.seconds;
+            let mut judged = judge(&subject, &plan, &collected);
+            grow::towards_bound(&subject, &plan, &collected, &mut judged, options.seed, &watch)?;
+            Stage1 {
+                judged,
+                collected: Some(collected),
+            }
+        }
+        Err(Stopped::Cancelled) => return Err(Cancelled),
+        Err(Stopped::Subject(why)) => Stage1 {
+            judged: broken(why),
+            collected: None,
+        },
+    };
+    Ok(Trial {
+        case,
+        prepared,
+        subject,
+        plan,
+        first,
+        second: None,
+        seconds,
+    })
+}
+
+fn broken(why: String) -> Judged {
+    Judged {
+        facts: vec![(Reason::SubjectError, why)],
+        ..Judged::default()
+    }
+}
+
+/// Fresh streams, twice as many, and all tests again.
+fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
+    let tell = |draws| progress(options, &trial.prepared.name, draws);
+    let watch = Watch {
+        cancelled: options.cancelled,
+        progress: &tell,
+    };
+    let blocks = Subject::blocks(trial.subject.draws);
+    let second = match collect(
+        &trial.subject,
+        &trial.plan,
+        options.seed,
+        blocks..3 * blocks,
+        &watch,
+    ) {
+        Ok(collected) => (judge(&trial.subject, &trial.plan, &collected), collected.draws),
+        Err(Stopped::Cancelled) => return Err(Cancelled),
+        Err(Stopped::Subject(why)) => (broken(why), 0),
+    };
+    trial.second = Some(second);
+    Ok(())
+}
+
+/// The adjusted p-values of both stages: by stage, by subject, by piece of evidence.
+type Adjustments = [Vec<Vec<Option<f64>>>; 2];
+
+fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options: &Options) -> Outcome {
+    let count = |stage: &[Vec<Option<f64>>]| stage.iter().flatten().flatten().count();
+    let mut results = Vec::new();
+    for (i, trial) in trials.iter().enumerate() {
+        let first = Stage {
+            judged: &trial.first.judged,
+            adjusted: &adjusted[0][i],
+        };
+        let second = trial.second.as_ref().map(|(judged, _)| Stage {
+            judged,
+            adjusted: &adjusted[1][i],
+        });
+        let decision: Decision = decide(first, second);
+        results.push(subjects::result(cases, trial, first, second, decision, options));
+    }
+    let timing = |(trial, result): (&Trial, &crate::results::SubjectResult)| SubjectTiming {
+        id: result.id.clone(),
+        seconds: Real(trial.seconds),
+        draws: result.draws,
+    };
+    let timings = trials.iter().zip(&results).map(timing).collect();
+    let results = Results {
+        schema_version: SCHEMA_VERSION,
+        version: env!("CARGO_PKG_VERSION").into(),
+        seed: options.seed,
+        alpha: Real(ALPHA),
+        stage_alpha: Real(STAGE_ALPHA),
+        reporting_level: Real(REPORTING_LEVEL),
+        p_values: [count(&adjusted[0]), count(&adjusted[1])],
+        repro: options.repro.clone(),
+        media: cases.iter().map(media::result).collect(),
+        results,
+    };
+    Outcome { results, timings }
+}
+
+/// The exit code that `results` call for: 1 if anything is not as expected and judged, 4 if something is inconclusive that
+/// should not be and nothing is worse, else 0.
+#[must_use]
+pub fn exit_code(results: &Results) -> u8 {
+    let surprises: Vec<_> = results
+        .results
+        .iter()
+        .filter(|result| !result.as_expected)
+        .collect();
+    match () {
+        () if surprises.is_empty() => 0,
+        () if surprises
+            .iter()
+            .all(|result| result.verdict == Verdict::Inconclusive) =>
+        {
+            4
+        }
+        () => 1,
+    }
+}

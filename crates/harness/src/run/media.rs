@@ -1,0 +1,71 @@
+use crate::case::{Prepared, World};
+use crate::real::Real;
+use crate::results::{MediumResult, MediumSeries};
+use freepath_estimators::{Extinction, Medium};
+
+/// Points of a medium's plot.
+const POINTS: usize = 300;
+
+pub(super) fn result(case: &Prepared) -> MediumResult {
+    let (length, tau, extrema, series) = match &case.world {
+        World::Grey(medium) => {
+            let length = medium.length();
+            (
+                length,
+                vec![Real(medium.tau(length))],
+                medium.extrema(0.0, length),
+                vec![series(medium)],
+            )
+        }
+        World::Chromatic(medium) => {
+            let length = medium.length();
+            let media: Vec<_> = medium.media().iter().map(|(channel, _)| channel).collect();
+            let mus = media.iter().map(|channel| channel.mu(0.0));
+            let extrema = mus.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), mu| {
+                (if mu < low { mu } else { low }, if mu > high { mu } else { high })
+            });
+            let tau = media.iter().map(|channel| Real(channel.tau(length))).collect();
+            (
+                length,
+                tau,
+                extrema,
+                media.iter().map(|channel| series(*channel)).collect(),
+            )
+        }
+    };
+    let parameters = serde_json::to_value(&case.case.medium).unwrap_or_default();
+    MediumResult {
+        file: case.file.clone(),
+        case: case.case.title.clone(),
+        ray: case.ray,
+        medium: case.case.medium.name().into(),
+        parameters,
+        length: Real(length),
+        tau,
+        extrema: [Real(extrema.0), Real(extrema.1)],
+        series,
+    }
+}
+
+/// Equal steps, and both sides of each jump while there is room.
+fn series(medium: &dyn Medium) -> MediumSeries {
+    let length = medium.length();
+    let mut t: Vec<f64> = (0..=POINTS).map(|i| length * i as f64 / POINTS as f64).collect();
+    let jumps = medium
+        .breaks()
+        .iter()
+        .chain(&medium.majorants().ends()[..medium.majorants().ends().len() - 1]);
+    t.extend(
+        jumps
+            .take(100)
+            .flat_map(|&at| [at * (1.0 - 1e-9), at * (1.0 + 1e-9)]),
+    );
+    t.sort_by(f64::total_cmp);
+    let real = |f: &dyn Fn(f64) -> f64| t.iter().map(|&t| Real(f(t))).collect();
+    MediumSeries {
+        mu: real(&|t| medium.mu(t)),
+        majorant: real(&|t| medium.majorants().mu_bar_at(t)),
+        transmittance: real(&|t| libm::exp(-medium.tau(t))),
+        t: t.iter().copied().map(Real).collect(),
+    }
+}

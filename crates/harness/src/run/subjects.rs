@@ -1,0 +1,267 @@
+//! The result of one subject.
+
+use super::{Options, Prepared, Trial, expected, series};
+use crate::collect::Collected;
+use crate::decide::{Decision, Stage, rejects};
+use crate::evidence::{POWER, REPORTING_LEVEL};
+use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
+use crate::real::Real;
+use crate::results::{
+    Atom, AuditResult, ChannelResult, Efficiency, LawResult, MeanResult, OrderResult, Series, SubjectResult,
+    TestResult,
+};
+use crate::special::{clopper_pearson, normal_quantile};
+use crate::tally::{CellTally, PowerSums};
+use crate::test::{Interval, MeanClaim, mean};
+use crate::verdict::Reason;
+
+pub(super) fn result(
+    cases: &[Prepared],
+    trial: &Trial,
+    first: Stage,
+    second: Option<Stage>,
+    decision: Decision,
+    options: &Options,
+) -> SubjectResult {
+    let Trial {
+        case, prepared, plan, ..
+    } = trial;
+    let seen = trial.first.collected.as_ref();
+    let (expected, by_design, as_expected) = expected(
+        prepared.spec.expect,
+        !prepared.faults.is_empty(),
+        plan.design,
+        &decision,
+    );
+    let draws = seen.map_or(0, |seen| seen.draws);
+    let per_draw = |lookups: u64| {
+        if draws > 0 {
+            lookups as f64 / draws as f64
+        } else {
+            0.0
+        }
+    };
+    let id = id(case, prepared);
+    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
+    let cells = plan
+        .law
+        .as_ref()
+        .zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    SubjectResult {
+        repro: repro(case, &id, options),
+        id,
+        file: case.file.clone(),
+        case: case.case.title.clone(),
+        ray: case.ray,
+        medium: cases
+            .iter()
+            .position(|other| std::ptr::eq(other, *case))
+            .unwrap_or(0),
+        subject: prepared.name.clone(),
+        estimator: prepared.estimator().into(),
+        kind: prepared.kind().into(),
+        parameters: serde_json::to_value(&prepared.spec).unwrap_or_default(),
+        verdict: decision.verdict,
+        reasons: decision.reasons,
+        notes: decision.notes,
+        expected,
+        expected_by_design: by_design,
+        as_expected,
+        faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
+        draws_requested: prepared.draws,
+        draws,
+        draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
+        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
+        law: cells.map(|(plan, cells)| law_result(plan, cells)),
+        channels: plan
+            .channels
+            .iter()
+            .flat_map(|plan| channels(&plan.claims, seen))
+            .collect(),
+        tests: [Some((1, first)), second.map(|stage| (2, stage))]
+            .into_iter()
+            .flatten()
+            .flat_map(tests)
+            .collect(),
+        series: Series {
+            cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
+            histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
+            residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
+            running: mean.and(seen).map(|seen| series::running(&seen.running)),
+        },
+        lookups: Real(per_draw(seen.map_or(0, |seen| seen.counts.audit.lookups))),
+        lookups_expected: plan.lookups.map(Real),
+        audit: seen.map(audit).unwrap_or_default(),
+        efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
+        order: order(trial),
+    }
+}
+
+/// File stem, kind and subject, and the ray: letters, digits, `-` and `_` only.
+fn id(case: &Prepared, prepared: &super::PreparedSubject) -> String {
+    let stem = std::path::Path::new(&case.file).with_extension("");
+    let ray = case.ray.map(|ray| format!("-ray{ray}")).unwrap_or_default();
+    let text = format!("{}{ray}-{}-{}", stem.display(), prepared.kind(), prepared.name);
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() || c == '_' {
+            c
+        } else {
+            '-'
+        }
+    };
+    text.chars()
+        .map(plain)
+        .collect::<String>()
+        .trim_matches('-')
+        .to_string()
+}
+
+fn repro(case: &Prepared, id: &str, options: &Options) -> String {
+    let rest = options.repro.split_once(" -- ").map_or("", |(_, flags)| flags);
+    format!("freepath run \"{}\" --filter \"{id}\" {rest}", case.file)
+        .trim_end()
+        .to_string()
+}
+
+fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
+    let one = |(evidence, adjusted): (&crate::evidence::Evidence, &Option<f64>)| TestResult {
+        name: evidence.name.clone(),
+        stage,
+        statistic: Real(evidence.statistic),
+        dof: evidence.dof.map(Real),
+        p: evidence.p.map(Real),
+        p_adjusted: adjusted.map(Real),
+        rejected: rejects(*adjusted),
+        reason: evidence.reason,
+        note: evidence.note.clone(),
+    };
+    of.judged.evidence.iter().zip(of.adjusted).map(one).collect()
+}
+
+fn audit(seen: &Collected) -> AuditResult {
+    let cells = seen.counts.cells.as_ref();
+    let sums = seen.mean.iter().map(|sums| sums.non_finite).sum::<u64>();
+    AuditResult {
+        lookups: seen.counts.audit.lookups,
+        above: seen.counts.audit.above,
+        outside: seen.counts.audit.outside,
+        non_finite: sums + cells.map_or(0, |cells| cells.non_finite),
+        out_of_support: cells.map_or(0, |cells| cells.out_of_support),
+    }
+}
+
+fn mean_result(plan: &MeanPlan, sums: &PowerSums) -> MeanResult {
+    let (_, interval) = mean("mean", sums, &plan.truth, Reason::Biased);
+    MeanResult {
+        own: plan.own.map(|own| Real(own.expected)),
+        ..with_interval(&plan.truth, sums, &interval)
+    }
+}
+
+fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
+    MeanResult {
+        expected: Real(claim.expected),
+        own: None,
+        estimate: Real(sums.center + sums.bias()),
+        bias: Real(sums.bias() + (sums.center - claim.expected)),
+        low: Real(interval.low),
+        high: Real(interval.high),
+        bound: Real(interval.bound()),
+        detectable: Real(interval.detectable),
+        variance: Real(sums.variance()),
+        variance_expected: claim.variance.map(Real),
+        skewness: Real(sums.skewness()),
+        method: interval.method.name().into(),
+    }
+}
+
+fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelResult> {
+    let all = claims.iter().zip(seen.iter().flat_map(|seen| &seen.channels));
+    let one = |(claim, (sums, _)): (&ChannelClaim, &(PowerSums, PowerSums))| {
+        let event = match claim.event {
+            Event::Scatter => "scatter",
+            Event::Surface => "surface",
+            Event::Between(..) => return None,
+        };
+        let (_, interval) = mean(&claim.name, sums, &claim.mean, Reason::Biased);
+        let mean = with_interval(&claim.mean, sums, &interval);
+        Some(ChannelResult {
+            channel: claim.channel,
+            event: event.into(),
+            mean,
+        })
+    };
+    all.filter_map(one).collect()
+}
+
+fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
+    let (n, law) = (tally.draws(), &plan.truth);
+    let (mut below, mut distance) = (0, 0.0);
+    for (k, count) in tally.cells.iter().enumerate() {
+        below += count;
+        let gap = (below as f64 / n as f64 - law.mass_between(0, k + 1)).abs();
+        distance = if gap <= distance { distance } else { gap };
+    }
+    let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
+    let power = normal_quantile(1.0 - POWER) / (2.0 * (n as f64).sqrt());
+    let band = series::band(n);
+    LawResult {
+        distance: Real(distance),
+        bound: Real(distance + band),
+        detectable: Real(band + power),
+        atom: Atom {
+            expected: Real(law.atom()),
+            estimate: Real(tally.escapes as f64 / n as f64),
+            low: Real(low),
+            high: Real(high),
+        },
+    }
+}
+
+/// Relative variance with a 95 % interval from the kurtosis: var(ln V) = (kurtosis - 1) / n.
+fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
+    let (n, t) = (sums.n as f64, plan.truth.expected);
+    let bias = plan.design_bias();
+    let variance = (sums.variance() + bias * bias) / (t * t);
+    let spread = ((sums.kurtosis() - 1.0) / n).sqrt();
+    let exact = sums.constant() || sums.variance() <= 1e-24 * t * t;
+    let refusal = match () {
+        () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
+        () if exact && bias.abs() < 1e-300 => "zero variance: exact",
+        () if trial
+            .first
+            .judged
+            .gates
+            .iter()
+            .any(|gate| gate.0 == Reason::RareEvent) =>
+        {
+            "dominated by rare events"
+        }
+        () if !(spread <= 0.1) => "the fourth moment is too large for an interval",
+        () => "",
+    };
+    let factor = libm::exp(1.96 * spread);
+    Efficiency {
+        relative_variance: Real(variance),
+        low: Real(variance / factor),
+        high: Real(variance * factor),
+        exact: exact && plan.own.is_none(),
+        ranked: refusal.is_empty(),
+        refusal: refusal.into(),
+    }
+}
+
+/// For step rules: rule and steps as the case has them.
+fn order(trial: &Trial) -> Option<OrderResult> {
+    let (predicted, bias) = trial.plan.order?;
+    let json = serde_json::to_value(&trial.prepared.spec).ok()?;
+    let body = json.get(trial.prepared.kind())?.get(trial.prepared.estimator())?;
+    let rule = body.get("rule")?.as_str()?.to_string();
+    let steps = body.get("steps")?.as_u64()?;
+    Some(OrderResult {
+        rule,
+        steps,
+        predicted: Real(predicted),
+        bias: Real(bias),
+    })
+}

@@ -1,0 +1,204 @@
+//! One block of draws: the subject is run behind its faults and the audit, and nothing that it does gets out.
+
+use crate::audit::{Audit, Audited};
+use crate::fault::{BlockPlace, Faulty, lay_over_draws, needs_scalar};
+use crate::subject::{BUDGET_PER_DRAW, Route, Scene, Subject, Work};
+use freepath_estimators::claims::Channel;
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::random::{Spent, exponential};
+use freepath_estimators::{Draws, Extinction, FreePath, Key, Medium, Streams};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
+
+/// What a block left behind beside its draws.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockRecord {
+    /// Its look-ups.
+    pub audit: Audit,
+    /// Seconds that the subject took.
+    pub seconds: f64,
+}
+
+/// The columns that a subject's draws need.
+#[must_use]
+pub fn columns(subject: &Subject, rows: usize) -> Draws {
+    let draws = Draws::new(rows);
+    match (subject.work, subject.scene) {
+        (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_collisions(),
+        (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
+        (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.media().len()),
+        (Work::Chromatic(_), Scene::Grey { .. }) => draws,
+    }
+}
+
+/// Fills `draws` with the block at `key`.
+///
+/// # Errors
+/// If the subject panics or runs past its budget, in words.
+pub fn sample_block(
+    subject: &Subject,
+    key: Key,
+    first: u64,
+    draws: &mut Draws,
+) -> Result<BlockRecord, String> {
+    let budget = BUDGET_PER_DRAW.saturating_mul(draws.rows as u64);
+    let streams = Streams::new(key).with_budget(budget);
+    let started = Instant::now();
+    let run = AssertUnwindSafe(|| match subject.scene {
+        Scene::Grey { truth, seen } => grey(subject, truth, seen, &streams, budget, draws),
+        Scene::Chromatic(medium) => chromatic(subject, medium, &streams, budget, draws),
+    });
+    let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
+    if spent {
+        return Err(format!(
+            "more than {budget} look-ups in a block of {} draws",
+            draws.rows
+        ));
+    }
+    let record = BlockRecord {
+        audit,
+        seconds: started.elapsed().as_secs_f64(),
+    };
+    let place = BlockPlace { key, first };
+    lay_over_draws(subject.faults, place, draws, &|channel, t| {
+        mixture_over_channel(subject, channel, t)
+    });
+    Ok(record)
+}
+
+fn why(payload: &(dyn Any + Send)) -> String {
+    if payload.is::<Spent>() {
+        return "the subject ran past its budget of look-ups or random words".into();
+    }
+    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+    let text = text
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .unwrap_or_default();
+    format!("the subject panicked: {text}")
+}
+
+fn grey(
+    subject: &Subject,
+    truth: &dyn Medium,
+    seen: &dyn Medium,
+    streams: &Streams,
+    budget: u64,
+    draws: &mut Draws,
+) -> (Audit, bool) {
+    let rounding = if subject.bits <= 24 { 1e-6 } else { 1e-12 };
+    let audited = Audited::new(&seen, budget, rounding);
+    let clean = !subject.faults.iter().any(crate::fault::Fault::spoils_lookups);
+    if clean && subject.route == Route::Block {
+        block(subject.work, truth, &audited, streams, draws);
+    } else {
+        let faulty = Faulty::new(&audited, subject.faults);
+        if needs_scalar(subject.faults) || subject.route == Route::Scalar {
+            one_by_one(subject.work, truth, &faulty, streams, draws);
+        } else {
+            block(subject.work, truth, &faulty, streams, draws);
+        }
+    }
+    (audited.record(), audited.spent())
+}
+
+fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Streams, draws: &mut Draws) {
+    match work {
+        Work::FreePath(sampler) => sampler.sample_block(medium, streams, draws),
+        Work::Transmittance(estimator) => estimator.estimate_block(medium, streams, draws),
+        Work::Exact | Work::ClosedForm | Work::Chromatic(_) => from_truth(work, truth, streams, draws),
+    }
+}
+
+fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams, draws: &mut Draws) {
+    let mut rng = streams.rng();
+    for row in 0..draws.rows {
+        medium.begin();
+        let path = match work {
+            Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
+            Work::Transmittance(estimator) => FreePath {
+                t: f64::INFINITY,
+                weight: estimator.estimate(medium, &mut rng),
+                collisions: 0,
+            },
+            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
+                return from_truth(work, truth, streams, draws);
+            }
+        };
+        draws.put(row, path.t, path.weight, path.collisions);
+    }
+}
+
+/// The harness's own sources: inversion of tau, and exp(-tau).
+fn from_truth(work: Work, truth: &dyn Medium, streams: &Streams, draws: &mut Draws) {
+    let transmittance = libm::exp(-truth.tau(truth.length()));
+    let mut rng = streams.rng();
+    for row in 0..draws.rows {
+        let t = if let Work::Exact = work {
+            truth.inverse_tau(exponential(&mut rng))
+        } else {
+            f64::INFINITY
+        };
+        draws.put(row, t, transmittance, 0);
+    }
+}
+
+fn chromatic(
+    subject: &Subject,
+    medium: &ChromaticMedium,
+    streams: &Streams,
+    budget: u64,
+    draws: &mut Draws,
+) -> (Audit, bool) {
+    let Work::Chromatic(sampler) = subject.work else {
+        return (Audit::default(), false);
+    };
+    let channels = medium.channels();
+    let audited: Vec<Audited> = channels
+        .iter()
+        .map(|c| Audited::new(c.extinction, budget, 1e-12))
+        .collect();
+    let seen: Vec<Channel> = audited
+        .iter()
+        .zip(&channels)
+        .map(|(a, c)| Channel {
+            extinction: a,
+            albedo: c.albedo,
+        })
+        .collect();
+    if subject.route == Route::Scalar {
+        let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
+        for row in 0..draws.rows {
+            let t = sampler.sample(&seen, &mut rng, &mut weights);
+            draws.put(row, t, 1.0, 0);
+            for (column, weight) in draws.channels.iter_mut().zip(&weights) {
+                column[row] = *weight;
+            }
+        }
+    } else {
+        sampler.sample_block(&seen, streams, draws);
+    }
+    let record = audited
+        .iter()
+        .map(Audited::record)
+        .fold(Audit::default(), Audit::plus);
+    (record, audited.iter().any(Audited::spent))
+}
+
+/// The pdf of the mixture over that of one channel, at t or at the surface.
+fn mixture_over_channel(subject: &Subject, channel: usize, t: f64) -> f64 {
+    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
+        return 1.0;
+    };
+    let channels = medium.channels();
+    let Some(one) = channels.get(channel) else {
+        return f64::NAN;
+    };
+    let (mu, length) = (one.extinction.mu(0.0), medium.length());
+    let alone = if t.is_finite() {
+        mu * libm::exp(-mu * t)
+    } else {
+        libm::exp(-mu * length)
+    };
+    sampler.pdf(&channels, t).unwrap_or(f64::NAN) / alone
+}

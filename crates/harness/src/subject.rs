@@ -1,0 +1,114 @@
+//! A subject ready to run: what is under test, in which medium, under which faults.
+
+use crate::case::{BiasBound, Claim};
+use crate::fault::Fault;
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::random::UNIFORM_BITS;
+use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
+
+/// Rows of a block: part of the format, since streams belong to blocks.
+pub const BLOCK: usize = 16_384;
+
+/// Draws of stage 1 unless a case says otherwise.
+pub const DRAWS: u64 = 1_000_000;
+
+/// Look-ups and random words that a block may take, per draw.
+pub const BUDGET_PER_DRAW: u64 = 2_000_000;
+
+/// What makes the draws.
+#[derive(Clone, Copy)]
+pub enum Work<'a> {
+    /// Inversion of the optical depth, from the truth.
+    Exact,
+    /// A free-path sampler.
+    FreePath(&'a dyn FreePathSampler),
+    /// exp(-tau), from the truth.
+    ClosedForm,
+    /// A transmittance estimator.
+    Transmittance(&'a dyn TransmittanceEstimator),
+    /// A chromatic sampler.
+    Chromatic(&'a dyn ChromaticSampler),
+}
+
+/// Where the draws are made.
+#[derive(Clone, Copy)]
+pub enum Scene<'a> {
+    /// One extinction.
+    Grey {
+        /// The medium under the majorants that it should have.
+        truth: &'a dyn Medium,
+        /// The same under the majorants that the subject sees.
+        seen: &'a dyn Medium,
+    },
+    /// Homogeneous channels.
+    Chromatic(&'a ChromaticMedium),
+}
+
+/// Which of a subject's methods is driven.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Route {
+    /// The block method: the tile engine where there is one.
+    #[default]
+    Block,
+    /// The scalar method, one draw at a time.
+    Scalar,
+}
+
+/// A subject in a scene.
+#[derive(Clone)]
+pub struct Subject<'a> {
+    /// What makes the draws.
+    pub work: Work<'a>,
+    /// Where.
+    pub scene: Scene<'a>,
+    /// The subject's part of every key.
+    pub key: u64,
+    /// Draws of stage 1.
+    pub draws: u64,
+    /// Draws at which growth ends.
+    pub budget: u64,
+    /// What growth aims at.
+    pub bias_bound: Option<BiasBound>,
+    /// How far every claim may be off.
+    pub tolerance: f64,
+    /// Bits of its uniforms.
+    pub bits: u32,
+    /// Faults laid over it.
+    pub faults: &'a [Fault],
+    /// Claims withdrawn.
+    pub without: &'a [Claim],
+    /// Which method is driven.
+    pub route: Route,
+}
+
+impl<'a> Subject<'a> {
+    /// `work` in `scene` with default effort, no fault and every claim.
+    #[must_use]
+    pub fn new(work: Work<'a>, scene: Scene<'a>) -> Self {
+        Self {
+            work,
+            scene,
+            key: 0,
+            draws: DRAWS,
+            budget: 64 * DRAWS,
+            bias_bound: None,
+            tolerance: 0.0,
+            bits: UNIFORM_BITS,
+            faults: &[],
+            without: &[],
+            route: Route::Block,
+        }
+    }
+
+    /// Whether `claim` still stands.
+    #[must_use]
+    pub fn claims(&self, claim: Claim) -> bool {
+        !self.without.contains(&claim)
+    }
+
+    /// Whole blocks that hold `draws` draws.
+    #[must_use]
+    pub fn blocks(draws: u64) -> u64 {
+        draws.div_ceil(BLOCK as u64)
+    }
+}

@@ -1,0 +1,106 @@
+use crate::law::Law;
+
+/// Counts of draws in the fine cells of a law, and of those that escape or lie outside the support.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CellTally {
+    /// Collisions per fine cell.
+    pub cells: Vec<u64>,
+    /// Draws at infinity.
+    pub escapes: u64,
+    /// NaN.
+    pub non_finite: u64,
+    /// Negative, beyond the length, or -infinity.
+    pub out_of_support: u64,
+}
+
+/// The cell number of an escape, and of a draw that has none.
+pub(crate) const ESCAPE: u32 = u32::MAX;
+pub(crate) const NOWHERE: u32 = u32::MAX - 1;
+
+impl CellTally {
+    /// Empty counts for the cells of `law`.
+    #[must_use]
+    pub fn new(law: &Law) -> Self {
+        Self {
+            cells: vec![0; law.cells()],
+            ..Self::default()
+        }
+    }
+
+    /// All draws counted.
+    #[must_use]
+    pub fn draws(&self) -> u64 {
+        self.collided() + self.escapes + self.non_finite + self.out_of_support
+    }
+
+    /// Draws that collided.
+    #[must_use]
+    pub fn collided(&self) -> u64 {
+        self.cells.iter().sum()
+    }
+
+    /// Counts a column of free paths, and writes the cell of each into `index`.
+    pub fn observe(&mut self, law: &Law, t: &[f64], index: &mut Vec<u32>) {
+        locate(law, t, index);
+        for (&cell, &t) in index.iter().zip(t) {
+            match self.cells.get_mut(cell as usize) {
+                Some(count) => *count += 1,
+                None if cell == ESCAPE => self.escapes += 1,
+                None if t.is_nan() => self.non_finite += 1,
+                None => self.out_of_support += 1,
+            }
+        }
+    }
+
+    /// Adds the counts of another worker.
+    pub fn merge(&mut self, other: &Self) {
+        for (a, b) in self.cells.iter_mut().zip(&other.cells) {
+            *a += b;
+        }
+        self.escapes += other.escapes;
+        self.non_finite += other.non_finite;
+        self.out_of_support += other.out_of_support;
+    }
+}
+
+/// The fine cell of each draw: t = length itself belongs to the last.
+fn locate(law: &Law, t: &[f64], index: &mut Vec<u32>) {
+    let (scale, length, last) = (law.scale(), law.length(), (law.cells() - 1) as u32);
+    index.resize(t.len(), 0);
+    freepath_estimators::simd::dispatch(
+        #[inline(always)]
+        || {
+            for (index, &t) in index.iter_mut().zip(t) {
+                let inside = t >= 0.0 && t <= length;
+                let cell = (if inside { t * scale } else { 0.0 }) as i32 as u32;
+                let cell = if cell > last { last } else { cell };
+                let other = if t == f64::INFINITY { ESCAPE } else { NOWHERE };
+                *index = if inside { cell } else { other };
+            }
+        },
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_draw_is_counted_once() {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
+        let mut tally = CellTally::new(&law);
+        let t = [
+            0.0,
+            1.0,
+            2.0,
+            f64::INFINITY,
+            f64::NAN,
+            -1e-9,
+            2.1,
+            f64::NEG_INFINITY,
+        ];
+        tally.observe(&law, &t, &mut Vec::new());
+        assert_eq!((tally.collided(), tally.escapes), (3, 1));
+        assert_eq!((tally.non_finite, tally.out_of_support, tally.draws()), (1, 3, 8));
+    }
+}

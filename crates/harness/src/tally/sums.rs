@@ -1,0 +1,179 @@
+use freepath_estimators::math;
+
+/// Sums of powers of x - center over draws, with the least and greatest draw.
+///
+/// Centred at the expected value, they lose nothing to cancellation where it matters: when the mean is right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerSums {
+    /// What is subtracted from each draw.
+    pub center: f64,
+    /// Finite draws.
+    pub n: u64,
+    /// Sums of (x - center)^k, k = 1 to 4.
+    pub sums: [f64; 4],
+    /// Least draw.
+    pub least: f64,
+    /// Greatest draw.
+    pub greatest: f64,
+    /// Draws equal to 0.
+    pub zeros: u64,
+    /// Draws equal to 1.
+    pub ones: u64,
+    /// NaN and infinite draws, left out of everything else.
+    pub non_finite: u64,
+}
+
+impl PowerSums {
+    /// No draws yet.
+    #[must_use]
+    pub fn new(center: f64) -> Self {
+        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        Self {
+            center,
+            n: 0,
+            sums: [0.0; 4],
+            least,
+            greatest,
+            zeros: 0,
+            ones: 0,
+            non_finite: 0,
+        }
+    }
+
+    /// The sums of one column: always in the same order of additions.
+    #[must_use]
+    pub fn of(center: f64, column: &[f64]) -> Self {
+        freepath_estimators::simd::dispatch(
+            #[inline(always)]
+            || {
+                let mut total = Self::new(center);
+                for part in column.chunks(256) {
+                    total.merge(&Self::of_part(center, part));
+                }
+                total
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn of_part(center: f64, part: &[f64]) -> Self {
+        let (mut powers, mut total) = ([[0.0; 256]; 4], Self::new(center));
+        for (i, &x) in part.iter().enumerate() {
+            let finite = x.is_finite();
+            let y = if finite { x - center } else { 0.0 };
+            (powers[0][i], powers[1][i]) = (y, y * y);
+            (powers[2][i], powers[3][i]) = (y * y * y, y * y * (y * y));
+            total.least = if finite && x < total.least { x } else { total.least };
+            total.greatest = if finite && x > total.greatest {
+                x
+            } else {
+                total.greatest
+            };
+            total.n += u64::from(finite);
+            total.zeros += u64::from(x == 0.0);
+            total.ones += u64::from(x == 1.0);
+        }
+        for (sum, powers) in total.sums.iter_mut().zip(&powers) {
+            *sum = math::sum(powers);
+        }
+        total.non_finite = part.len() as u64 - total.n;
+        total
+    }
+
+    /// Adds the sums of the next block. The order of merging must be fixed.
+    #[inline(always)]
+    pub fn merge(&mut self, next: &Self) {
+        for (a, b) in self.sums.iter_mut().zip(&next.sums) {
+            *a += b;
+        }
+        self.least = if next.least < self.least {
+            next.least
+        } else {
+            self.least
+        };
+        self.greatest = if next.greatest > self.greatest {
+            next.greatest
+        } else {
+            self.greatest
+        };
+        self.n += next.n;
+        self.zeros += next.zeros;
+        self.ones += next.ones;
+        self.non_finite += next.non_finite;
+    }
+
+    /// mean - center.
+    #[must_use]
+    pub fn bias(&self) -> f64 {
+        self.sums[0] / self.n as f64
+    }
+
+    /// Sample variance.
+    #[must_use]
+    pub fn variance(&self) -> f64 {
+        let (n, b) = (self.n as f64, self.bias());
+        let m2 = self.sums[1] - n * b * b;
+        (if m2 < 0.0 { 0.0 } else { m2 }) / (n - 1.0)
+    }
+
+    /// Sample skewness; 0 if nothing varies.
+    #[must_use]
+    pub fn skewness(&self) -> f64 {
+        let (n, b, v) = (self.n as f64, self.bias(), self.variance());
+        let m3 = self.sums[2] / n - 3.0 * b * self.sums[1] / n + 2.0 * b * b * b;
+        if v > 0.0 { m3 / (v * v.sqrt()) } else { 0.0 }
+    }
+
+    /// Sample kurtosis E (x - mean)^4 / variance^2; 0 if nothing varies.
+    #[must_use]
+    pub fn kurtosis(&self) -> f64 {
+        let (n, b, v) = (self.n as f64, self.bias(), self.variance());
+        let [_, s2, s3, s4] = self.sums.map(|s| s / n);
+        let m4 = s4 - 4.0 * b * s3 + 6.0 * b * b * s2 - 3.0 * b * b * b * b;
+        if v > 0.0 { m4 / (v * v) } else { 0.0 }
+    }
+
+    /// Every draw is the same.
+    #[must_use]
+    pub fn constant(&self) -> bool {
+        self.least >= self.greatest
+    }
+}
+
+/// The running mean at a growing number of draws.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Running {
+    /// (draws, mean, variance) so far.
+    pub points: Vec<(u64, f64, f64)>,
+}
+
+impl Running {
+    /// Notes the state after so many draws, if it is a tenth of an octave after the last note.
+    pub fn note(&mut self, sums: &PowerSums) {
+        let last = self.points.last().map_or(0, |point| point.0);
+        if sums.n as f64 >= 1.07 * last as f64 && sums.n > 1 {
+            self.points
+                .push((sums.n, sums.center + sums.bias(), sums.variance()));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_are_those_of_the_draws() {
+        let x = [0.0, 1.0, 1.0, 4.0];
+        let sums = PowerSums::of(1.0, &x);
+        assert!((sums.bias() - 0.5).abs() < 1e-15 && (sums.variance() - 3.0).abs() < 1e-14);
+        assert_eq!((sums.zeros, sums.ones, sums.n), (1, 2, 4));
+        assert!((sums.least, sums.greatest) == (0.0, 4.0));
+    }
+
+    #[test]
+    fn nan_is_counted_not_dropped_in_silence() {
+        let sums = PowerSums::of(0.0, &[1.0, f64::NAN, f64::INFINITY]);
+        assert_eq!((sums.n, sums.non_finite), (1, 2));
+    }
+}

@@ -1,0 +1,47 @@
+use crate::evidence::Evidence;
+use crate::special::binomial_two_sided;
+use crate::verdict::Reason;
+
+pub(super) const WORDS: &str = "The number of escapes is binomial with the transmittance as its probability: exact, two-sided by doubling \
+the smaller tail.";
+
+/// The escape atom: `escapes` of `n` draws escaped, which happens with probability `atom`, known up to `slack`.
+///
+/// ```text
+/// p = min(1, 2 min(P(X <= k), P(X >= k))),   X ~ Bin(n, T)
+/// ```
+#[must_use]
+pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evidence {
+    let share = escapes as f64 / n as f64;
+    let null = nearest(share, atom, slack);
+    let z = (share - atom) / (atom * (1.0 - atom) / n as f64).sqrt();
+    Evidence::new("atom", z, None, binomial_two_sided(n, null, escapes), reason)
+}
+
+/// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.
+pub(super) fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
+    let (low, high) = (expected - slack, expected + slack);
+    match () {
+        () if seen < low => low,
+        () if seen > high => high,
+        () if slack > 0.0 => seen,
+        () => expected,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_atom_is_rejected_and_a_right_one_is_not() {
+        assert!(atom(1_000_000, 135_335, 0.135_335, 0.0, Reason::WrongLaw).p > Some(0.9));
+        assert!(atom(1_000_000, 137_335, 0.135_335, 0.0, Reason::WrongLaw).p < Some(1e-7));
+        assert_eq!(atom(1000, 10, f64::NAN, 0.0, Reason::WrongLaw).p, Some(0.0));
+    }
+
+    #[test]
+    fn slack_widens_the_null() {
+        assert!(atom(1_000_000, 137_335, 0.135_335, 0.002, Reason::WrongLaw).p > Some(0.9));
+    }
+}

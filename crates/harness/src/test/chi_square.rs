@@ -1,0 +1,106 @@
+use crate::evidence::Evidence;
+use crate::law::{Groups, Law};
+use crate::special::chi_square_sf;
+use crate::tally::CellTally;
+use crate::verdict::Reason;
+
+pub(super) const WORDS: &str = "Counts in nearly equiprobable cells of the free path, and of escapes, against their probabilities \
+(Pearson 1900). 16 cells see broad errors best, 64 and about 2 n^0.4 cells see narrow ones.";
+
+/// Least expectation of a cell: below it the chi-square tail is not trusted near 1e-7.
+pub(crate) const LEAST_EXPECTED: f64 = 50.0;
+
+/// Pearson's chi-square over about `wanted` equiprobable cells and the escape cell.
+///
+/// ```text
+/// X = sum (O - E)^2 / E,   E = n p,   dof = cells - 1
+/// ```
+///
+/// Fewer cells are used where the expectation would fall below 50; an escape cell that expects fewer joins the last.
+/// Each |O - E| is lessened by n times the law's slack.
+#[must_use]
+pub fn chi_square(name: &str, law: &Law, tally: &CellTally, wanted: usize, reason: Reason) -> Evidence {
+    let (n, seen) = (tally.draws() as f64, residuals(law, tally, wanted));
+    let Some((_, residual, _)) = seen else {
+        let why = format!("fewer than two cells would expect {LEAST_EXPECTED} of {n} draws");
+        return Evidence::withheld(name, f64::NAN, reason, why);
+    };
+    let statistic: f64 = residual.iter().map(|r| r * r).sum();
+    let dof = (residual.len() - 1) as f64;
+    Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
+}
+
+/// The groups, (O - E) / sqrt(E) of each and then of the escape cell, and whether there is one; nothing if fewer than two
+/// cells are left.
+#[must_use]
+pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups, Vec<f64>, bool)> {
+    let n = tally.draws() as f64;
+    let affordable = (n * law.collided() / (1.1 * LEAST_EXPECTED)).floor() as usize;
+    let cells = if wanted < affordable { wanted } else { affordable };
+    let escape = n * law.atom() >= LEAST_EXPECTED;
+    if cells + usize::from(escape) < 2 || cells == 0 {
+        return None;
+    }
+    let groups = law.groups(cells);
+    let mut observed = groups.gather(&tally.cells);
+    let mut mass = groups.mass.clone();
+    if escape {
+        observed.push(tally.escapes);
+        mass.push(law.atom());
+    } else if let (Some(o), Some(m)) = (observed.last_mut(), mass.last_mut()) {
+        *o += tally.escapes;
+        *m += law.atom();
+    }
+    let residual = observed
+        .iter()
+        .zip(&mass)
+        .map(|(&o, &p)| residual(o as f64, n * p, n * law.slack()));
+    let residual = residual.collect();
+    Some((groups, residual, escape))
+}
+
+/// (O - E) / sqrt(E), with |O - E| lessened by `slack`.
+pub(crate) fn residual(observed: f64, expected: f64, slack: f64) -> f64 {
+    let gap = (observed - expected).abs() - slack;
+    let gap = if gap < 0.0 { 0.0 } else { gap };
+    gap.copysign(observed - expected) / expected.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tally(rate: f64) -> (Law, CellTally) {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
+        let t: Vec<f64> = (0..100_000)
+            .map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate)
+            .collect();
+        let t: Vec<f64> = t
+            .iter()
+            .map(|&t| if t < 2.0 { t } else { f64::INFINITY })
+            .collect();
+        let mut tally = CellTally::new(&law);
+        tally.observe(&law, &t, &mut Vec::new());
+        (law, tally)
+    }
+
+    #[test]
+    fn the_right_law_fits_and_one_five_percent_off_does_not() {
+        let p = |rate| {
+            let (law, tally) = tally(rate);
+            chi_square("chi_square_64", &law, &tally, 64, Reason::WrongLaw).p
+        };
+        assert!(p(1.0) > Some(0.5));
+        assert!(p(1.05) < Some(1e-6));
+    }
+
+    #[test]
+    fn too_few_draws_are_withheld() {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
+        let empty = CellTally::new(&law);
+        assert_eq!(
+            chi_square("chi_square_16", &law, &empty, 16, Reason::WrongLaw).p,
+            None
+        );
+    }
+}

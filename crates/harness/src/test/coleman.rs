@@ -1,0 +1,73 @@
+use super::poisson_count::{pmf, pooled};
+use crate::evidence::Evidence;
+use crate::law::Law;
+use crate::tally::CountTally;
+use crate::verdict::Reason;
+
+pub(super) const WORDS: &str = "The joint law of the number of tentative collisions and the distance under delta tracking (Coleman 1968): a \
+wrong majorant that leaves the distance right still shows here.";
+
+/// Coleman's joint law: given a collision at z, the null collisions before it are Poisson(A(z)); given escape, all of them
+/// are Poisson(A(length)), with
+///
+/// ```text
+/// A(z) = int_0^z (mu_bar - mu)
+/// ```
+///
+/// `null_depth` is A. Chi-square over (collisions, group of t) with each cell expecting 50 draws or more.
+#[must_use]
+pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, reason: Reason) -> Evidence {
+    let groups = CountTally::groups(law);
+    let (mut observed, mut mass) = (Vec::new(), Vec::new());
+    for (column, bounds) in groups.bounds.windows(2).enumerate() {
+        mass.extend(column_mass(law, bounds[0], bounds[1], &null_depth, tally.rows()));
+        observed.extend((0..tally.rows()).map(|n| tally.count(n, column)));
+    }
+    mass.extend(
+        pmf_or_none(null_depth(law.length()), tally.rows())
+            .iter()
+            .map(|p| p * law.atom()),
+    );
+    observed.extend((0..tally.rows()).map(|n| tally.count(n, tally.columns() - 1)));
+    pooled("coleman", &observed, &mass, reason)
+}
+
+/// P(n collisions, t in the fine cells from..to), n = 0, 1, ..: in each fine cell Simpson's rule over A.
+fn column_mass(law: &Law, from: usize, to: usize, null_depth: &impl Fn(f64) -> f64, rows: usize) -> Vec<f64> {
+    let mut column = vec![0.0; rows];
+    let stride = 1 + (to - from) / 256;
+    for start in (from..to).step_by(stride) {
+        let end = if start + stride < to { start + stride } else { to };
+        let mass = law.mass_between(start, end);
+        let (a, b) = (law.edge(start), law.edge(end));
+        let depths = [(a, 1.0 / 6.0), (0.5 * (a + b), 4.0 / 6.0), (b, 1.0 / 6.0)];
+        for (t, weight) in depths {
+            add_poisson(&mut column[1..], null_depth(t), mass * weight);
+        }
+    }
+    column
+}
+
+/// Adds `mass` times the Poisson probabilities of `mean`, the tail in the last place.
+fn add_poisson(column: &mut [f64], mean: f64, mass: f64) {
+    let (mut p, mut left) = (libm::exp(-mean), 1.0);
+    let last = column.len() - 1;
+    for (n, cell) in column[..last].iter_mut().enumerate() {
+        *cell += mass * p;
+        left -= p;
+        p *= mean / (n + 1) as f64;
+        if p < 1e-18 && n as f64 > mean {
+            break;
+        }
+    }
+    column[last] += mass * if left > 1e-12 { left } else { 0.0 };
+}
+
+fn pmf_or_none(mean: f64, rows: usize) -> Vec<f64> {
+    if mean > 0.0 {
+        return pmf(mean, rows);
+    }
+    let mut none = vec![0.0; rows];
+    none[0] = 1.0;
+    none
+}

@@ -1,0 +1,90 @@
+use super::chi_square::{LEAST_EXPECTED, residual};
+use crate::evidence::Evidence;
+use crate::special::chi_square_sf;
+use crate::tally::CountTally;
+use crate::verdict::Reason;
+
+pub(super) const WORDS: &str = "The tentative collisions of a walk that never stops are Poisson with the integral of the rate as mean; \
+chi-square over the counts.";
+
+/// The Poisson law of the number of tentative collisions.
+#[must_use]
+pub fn poisson_count(tally: &CountTally, mean: f64) -> Evidence {
+    let observed: Vec<u64> = (0..tally.rows()).map(|n| tally.count(n, 0)).collect();
+    let expected = pmf(mean, tally.rows());
+    pooled("poisson_count", &observed, &expected, Reason::WrongCost)
+}
+
+/// Poisson probabilities of 0, 1, .. ; the last holds the whole tail.
+pub(super) fn pmf(mean: f64, rows: usize) -> Vec<f64> {
+    let log_mean = libm::log(mean);
+    let one = |n: usize| {
+        let log = if n == 0 {
+            -mean
+        } else {
+            n as f64 * log_mean - mean - libm::lgamma(n as f64 + 1.0)
+        };
+        libm::exp(log)
+    };
+    let mut all: Vec<f64> = (0..rows).map(one).collect();
+    let below: f64 = all[..rows - 1].iter().sum();
+    all[rows - 1] = if below < 1.0 { 1.0 - below } else { 0.0 };
+    all
+}
+
+/// Pearson's chi-square over a table, neighbouring cells pooled until each expects 50.
+pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], reason: Reason) -> Evidence {
+    let n: u64 = observed.iter().sum();
+    let (mut cells, mut part) = (Vec::new(), (0, 0.0));
+    for (&o, &p) in observed.iter().zip(mass) {
+        part = (part.0 + o, part.1 + p * n as f64);
+        if part.1 >= LEAST_EXPECTED {
+            cells.push(part);
+            part = (0, 0.0);
+        }
+    }
+    if let Some(last) = cells.last_mut() {
+        *last = (last.0 + part.0, last.1 + part.1);
+    }
+    if cells.len() < 2 {
+        return Evidence::withheld(
+            name,
+            f64::NAN,
+            reason,
+            "fewer than two cells would expect 50 draws",
+        );
+    }
+    let statistic: f64 = cells
+        .iter()
+        .map(|&(o, e)| residual(o as f64, e, 0.0))
+        .map(|r| r * r)
+        .sum();
+    let dof = (cells.len() - 1) as f64;
+    Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn poisson_probabilities_sum_to_one() {
+        for mean in [1e-3, 1.0, 40.0] {
+            let total: f64 = pmf(mean, 512).iter().sum();
+            assert!((total - 1.0).abs() < 1e-12, "{mean}");
+        }
+    }
+
+    #[test]
+    fn another_mean_is_rejected() {
+        let mut tally = CountTally::marginal();
+        let counts: Vec<u32> = pmf(2.0, 20)
+            .iter()
+            .enumerate()
+            .flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize])
+            .collect();
+        tally.observe(&counts, &[]);
+        assert!(poisson_count(&tally, 2.0).p > Some(0.99));
+        assert!(poisson_count(&tally, 2.1).p < Some(1e-9));
+    }
+}
