@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// mu(t) = filter(scale v + offset) at x(t),   x(t) = entry + t direction / |direction|
 /// ```
 ///
-/// `file` holds the values v as an array [z][y][x] that fills `bounds`, each at the centre of its cell; the border values
+/// `file` holds the values v as an array `[z][y][x]` that fills `bounds`, each at the centre of its cell; the border values
 /// are held in the outer half cells. t is a length in the units of the bounds, from where the ray enters the box, or
 /// from the origin if that lies inside. Along a ray the trilinear filter is a cubic between its planes, so that tau,
 /// its inverse and the extrema are exact.
@@ -34,11 +34,11 @@ pub struct VoxelGrid {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "voxel_grid")]
 struct Parameters {
-    /// The file of the values, an array [z][y][x].
+    /// The file of the values, an array `[z][y][x]`.
     file: String,
     /// How mu follows from the values around a point.
     filter: Filter,
-    /// Two corners of the box, [[x0, y0, z0], [x1, y1, z1]].
+    /// Two corners of the box, `[[x0, y0, z0], [x1, y1, z1]]`.
     bounds: [[f64; 3]; 2],
     /// Where the ray starts.
     origin: [f64; 3],

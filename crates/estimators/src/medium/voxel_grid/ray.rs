@@ -20,7 +20,7 @@ pub struct GridRay {
     majorants: Majorants,
 }
 
-/// mu between two knots, and the range of what the look-up reads there.
+/// mu between two knots, and the range that no look-up there leaves, whatever the place and the rounding.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
     mu: Cubic,
@@ -48,12 +48,17 @@ impl Cell {
         let corners = line.corners(index);
         let none = (f64::INFINITY, f64::NEG_INFINITY);
         let (least, most) = corners.into_iter().fold(none, widen);
+        let blended = if least < most {
+            4.0 * f64::EPSILON * most
+        } else {
+            0.0
+        };
         let planes: usize = line.grid().shape().iter().sum();
         Self {
             mu: Cubic::along(&corners, from, to),
-            least,
-            most,
-            rounding: f64::EPSILON * (8.0 * most + 3.0 * planes as f64 * (most - least)),
+            least: hold(least - blended, most),
+            most: most + blended,
+            rounding: 2.0 * blended + 3.0 * f64::EPSILON * planes as f64 * (most - least),
         }
     }
 

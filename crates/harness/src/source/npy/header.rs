@@ -1,0 +1,273 @@
+//! The header, parsed by hand: a general reader of Python literals recurses as deep as a hostile header asks it to.
+
+use super::super::Refusal;
+use std::io::Read;
+
+/// The longest header that is read, in bytes.
+const MOST_HEADER: usize = 65_536;
+
+/// What a value is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Number {
+    Unsigned,
+    Float,
+}
+
+/// How the values are stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) number: Number,
+    /// Bytes of one value.
+    pub(super) width: usize,
+    pub(super) big_endian: bool,
+    /// The first index runs fastest.
+    pub(super) fortran: bool,
+    pub(super) shape: Vec<u64>,
+    /// Bytes before the values.
+    pub(super) start: u64,
+}
+
+impl Header {
+    /// Reads up to the values.
+    pub(super) fn read(file: &mut dyn Read) -> Result<Self, Refusal> {
+        let mut magic = [0; 8];
+        file.read_exact(&mut magic).map_err(|_| not_npy())?;
+        let width = match &magic {
+            b"\x93NUMPY\x01\x00" => 2,
+            b"\x93NUMPY\x02\x00" | b"\x93NUMPY\x03\x00" => 4,
+            [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => return Err(unknown_version()),
+            _ => return Err(not_npy()),
+        };
+        let mut length = [0; 4];
+        file.read_exact(&mut length[..width]).map_err(|_| broken())?;
+        let length = u32::from_le_bytes(length) as usize;
+        if length > MOST_HEADER {
+            let allowed = format!("at most {MOST_HEADER} bytes");
+            return Err(Refusal::new("its header is too long", allowed));
+        }
+        let mut text = vec![0; length];
+        file.read_exact(&mut text).map_err(|_| broken())?;
+        parse(&text, (magic.len() + width + length) as u64)
+    }
+}
+
+fn not_npy() -> Refusal {
+    Refusal::new("it is not a .npy file", "as numpy.save writes it")
+}
+
+fn unknown_version() -> Refusal {
+    Refusal::new("its version of the .npy format is not known", "1.0, 2.0 or 3.0")
+}
+
+fn broken() -> Refusal {
+    let allowed = "a dictionary of descr, fortran_order and shape, as numpy.save writes it";
+    Refusal::new("its header is broken", allowed)
+}
+
+fn wrong_type() -> Refusal {
+    let allowed = "uint8, uint16, float32 or float64, little or big endian";
+    Refusal::new("its values are of another type", allowed)
+}
+
+/// The dictionary, each key once and in any order.
+fn parse(text: &[u8], start: u64) -> Result<Header, Refusal> {
+    let (mut descr, mut fortran, mut shape) = (None, None, None);
+    let mut text = Text(text);
+    text.expect(b"{")?;
+    while !text.accept(b"}") {
+        let key = text.string()?;
+        text.expect(b":")?;
+        let first = match key {
+            b"descr" => descr.replace(text.number_type()?).is_none(),
+            b"fortran_order" => fortran.replace(text.boolean()?).is_none(),
+            b"shape" => shape.replace(text.shape()?).is_none(),
+            _ => false,
+        };
+        let follows = text.accept(b",") || text.peek() == Some(b'}');
+        if !first || !follows {
+            return Err(broken());
+        }
+    }
+    let (Some((number, width, big_endian)), Some(fortran), Some(shape), None) =
+        (descr, fortran, shape, text.peek())
+    else {
+        return Err(broken());
+    };
+    Ok(Header {
+        number,
+        width,
+        big_endian,
+        fortran,
+        shape,
+        start,
+    })
+}
+
+/// What is left of the header.
+struct Text<'a>(&'a [u8]);
+
+impl<'a> Text<'a> {
+    /// The next byte that is not white space.
+    fn peek(&mut self) -> Option<u8> {
+        self.0 = self.0.trim_ascii_start();
+        self.0.first().copied()
+    }
+
+    fn accept(&mut self, token: &[u8]) -> bool {
+        self.peek();
+        let rest = self.0.strip_prefix(token);
+        self.0 = rest.unwrap_or(self.0);
+        rest.is_some()
+    }
+
+    fn expect(&mut self, token: &[u8]) -> Result<(), Refusal> {
+        self.accept(token).then_some(()).ok_or_else(broken)
+    }
+
+    fn string(&mut self) -> Result<&'a [u8], Refusal> {
+        let quote = self
+            .peek()
+            .filter(|quote| b"'\"".contains(quote))
+            .ok_or_else(broken)?;
+        let body = &self.0[1..];
+        let end = body.iter().position(|&byte| byte == quote).ok_or_else(broken)?;
+        self.0 = &body[end + 1..];
+        Ok(&body[..end])
+    }
+
+    /// Kind, width and whether big endian, from a string such as `<f4`.
+    fn number_type(&mut self) -> Result<(Number, usize, bool), Refusal> {
+        if self.peek() == Some(b'[') {
+            return Err(wrong_type()); // a structure
+        }
+        let (number, width, big_endian) = match self.string()? {
+            b"|u1" | b"<u1" | b">u1" => (Number::Unsigned, 1, false),
+            b"<u2" => (Number::Unsigned, 2, false),
+            b">u2" => (Number::Unsigned, 2, true),
+            b"<f4" => (Number::Float, 4, false),
+            b">f4" => (Number::Float, 4, true),
+            b"<f8" => (Number::Float, 8, false),
+            b">f8" => (Number::Float, 8, true),
+            _ => return Err(wrong_type()),
+        };
+        Ok((number, width, big_endian))
+    }
+
+    fn boolean(&mut self) -> Result<bool, Refusal> {
+        let yes = self.accept(b"True");
+        if !yes {
+            self.expect(b"False")?;
+        }
+        Ok(yes)
+    }
+
+    /// A tuple of numbers.
+    fn shape(&mut self) -> Result<Vec<u64>, Refusal> {
+        let mut shape = Vec::new();
+        self.expect(b"(")?;
+        while !self.accept(b")") {
+            shape.push(self.number()?);
+            let follows = self.accept(b",") || self.peek() == Some(b')');
+            follows.then_some(()).ok_or_else(broken)?;
+        }
+        Ok(shape)
+    }
+
+    fn number(&mut self) -> Result<u64, Refusal> {
+        self.peek();
+        let digits = self.0.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let (number, rest) = self.0.split_at(digits);
+        self.0 = rest;
+        let number = std::str::from_utf8(number).map_err(|_| broken())?;
+        number.parse().map_err(|_| broken())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(version: &[u8], length: &[u8], text: &str) -> Result<Header, Refusal> {
+        let bytes = [b"\x93NUMPY", version, length, text.as_bytes()].concat();
+        Header::read(&mut bytes.as_slice())
+    }
+
+    fn parsed(text: &str) -> Result<Header, Refusal> {
+        parse(text.as_bytes(), 0)
+    }
+
+    const GOOD: &str = "{'descr': '>f4', 'fortran_order': False, 'shape': (24, 96, 128), }  \n";
+
+    #[test]
+    fn the_three_versions_and_any_order_of_keys_are_read() {
+        let length = GOOD.len() as u8;
+        let first = read(&[1, 0], &[length, 0], GOOD).unwrap();
+        let third = read(&[3, 0], &[length, 0, 0, 0], GOOD).unwrap();
+        assert_eq!(
+            (first.start, third.start),
+            (GOOD.len() as u64 + 10, GOOD.len() as u64 + 12)
+        );
+        assert_eq!(
+            (first.shape, first.width, first.big_endian),
+            (vec![24, 96, 128], 4, true)
+        );
+        let other = parsed("{ \"shape\":(7,),\"fortran_order\":True,\"descr\":\"|u1\"}").unwrap();
+        assert_eq!(
+            (other.shape, other.fortran, other.number),
+            (vec![7], true, Number::Unsigned)
+        );
+        assert_eq!(read(&[4, 0], &[length, 0], GOOD).unwrap_err(), unknown_version());
+        assert_eq!(
+            read(&[2, 0], &[1, 0, 1, 0], GOOD).unwrap_err().cause,
+            "its header is too long"
+        );
+        assert_eq!(read(&[2, 0], &[0, 0, 1, 0], GOOD).unwrap_err(), broken());
+    }
+
+    #[test]
+    fn other_types_are_refused() {
+        for descr in [
+            "'<i8'",
+            "'<c16'",
+            "'|O'",
+            "'|S9'",
+            "'<f2'",
+            "'f4'",
+            "''",
+            "[('x', '<f4')]",
+            "[[[[[",
+        ] {
+            let changed = GOOD.replace("'>f4'", descr);
+            assert_eq!(parsed(&changed), Err(wrong_type()), "{descr}");
+        }
+    }
+
+    #[test]
+    fn whatever_else_is_wrong_is_refused() {
+        let changes = [
+            ("{", ""),
+            ("}", ""),
+            ("}", "} x"),
+            ("(24", "((24"),
+            ("24,", "24"),
+            ("24,", "-24,"),
+            ("24,", "2.4,"),
+            ("24,", ","),
+            ("24,", "99999999999999999999,"),
+            ("128)", "128"),
+            ("False", "0"),
+            ("False,", "False"),
+            ("'shape'", "'shap'"),
+            ("'shape'", "'descr'"),
+            ("'shape'", "shape"),
+            ("'shape': (24, 96, 128), ", ""),
+            (", }", ", 'more': 1}"),
+            ("'descr':", "'descr'"),
+        ];
+        for (from, to) in changes {
+            assert!(GOOD.contains(from), "{from}");
+            assert!(parsed(&GOOD.replacen(from, to, 1)).is_err(), "{from} to {to}");
+        }
+        assert_eq!(parsed(&"(".repeat(MOST_HEADER)), Err(broken()));
+    }
+}
