@@ -21,6 +21,7 @@ pub fn walks<R: CollisionRule>(
     streams: &Streams,
     out: &mut Draws,
 ) {
+    let rates = &rates.tabulated();
     match streams.script() {
         None => {
             let mut lanes = streams.key().lanes();
@@ -146,7 +147,7 @@ fn for_each_set(set: &[u32; ROWS], len: usize, mut event: impl FnMut(usize)) {
 /// What stays the same while a block of walks is in the air.
 struct Flight<'a, R, U> {
     rule: &'a R,
-    rates: &'a Rates,
+    rates: &'a Rates<'a>,
     form: Form,
     medium: &'a dyn Extinction,
     uniforms: &'a mut U,
