@@ -72,16 +72,11 @@ pub fn walk<R: CollisionRule>(
 ) -> FreePath {
     let (mut state, mut t, mut collisions) = (rule.start(), 0.0, 0);
     let (mut segment, mut end, mut mfp, mut control) = (0, rates.end(0), rates.mfp(0), rates.control(0));
-    loop {
+    let (t, escaped) = 'walk: loop {
         t += exponential(rng) * mfp;
         while !(t < end) {
             if segment + 1 == rates.len() {
-                let weight = rule.weight(state, true);
-                return FreePath {
-                    t: f64::INFINITY,
-                    weight,
-                    collisions,
-                };
+                break 'walk (f64::INFINITY, true);
             }
             let depth = match form {
                 Form::Carry => (t - end) * rates.rate(segment),
@@ -103,13 +98,14 @@ pub fn walk<R: CollisionRule>(
         let (next, stop) = rule.collide(state, at);
         (state, collisions) = (next, collisions + 1);
         if stop {
-            let weight = rule.weight(state, false);
-            return FreePath {
-                t,
-                weight,
-                collisions,
-            };
+            break (t, false);
         }
+    };
+    let weight = rule.weight(state, escaped);
+    FreePath {
+        t,
+        weight,
+        collisions,
     }
 }
 
