@@ -28,6 +28,17 @@ pub enum Cells {
     Curved,
 }
 
+impl std::fmt::Display for Cells {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Constant => "constant",
+            Self::Linear => "linear",
+            Self::Cubic => "cubic",
+            Self::Curved => "curved",
+        })
+    }
+}
+
 /// Extinction mu(t) along one ray, 0 <= t <= length: all that a subject may see.
 pub trait Extinction {
     /// The length of the ray segment, finite and positive.
@@ -100,16 +111,13 @@ fn solve<M: Medium + ?Sized>(medium: &M, depth: f64) -> f64 {
         } else {
             high = t
         }
-        let newton = t - excess / medium.mu(t);
-        let next = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
-        if (next - t).abs() <= f64::EPSILON * t {
-            return next;
+        let step = excess / medium.mu(t);
+        if step.abs() <= f64::EPSILON * t {
+            return t; // before a bisection leads away again
         }
-        t = next;
+        let newton = t - step;
+        let inside = newton > low && newton < high;
+        t = if inside { newton } else { 0.5 * (low + high) };
     }
     t
 }
