@@ -79,7 +79,7 @@ fn transmittance(medium: &dyn Medium) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, rng_seed: RngSeed::Fixed(20), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, rng_seed: RngSeed::Fixed(20), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn tau_never_decreases(any in media(), x in 0.0..1.0, y in 0.0..1.0) {
