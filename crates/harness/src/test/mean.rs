@@ -154,10 +154,8 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
         .variance
         .is_some_and(|v| v <= 1e-24 * claim.expected * claim.expected);
     let silent = claim.variance.is_none() && claim.range.is_none();
-    if sums.constant() && (deterministic || silent) {
-        return Method::Exact;
-    }
-    if deterministic && spread(sums) <= 1e-12 * claim.expected.abs() {
+    let still = spread(sums) <= 1e-12 * claim.expected.abs() && sums.least.abs() > 0.0;
+    if still || (sums.constant() && (deterministic || silent)) {
         return Method::Exact;
     }
     match (gate(skewness(sums, claim), sums.n as f64), claim.range) {
