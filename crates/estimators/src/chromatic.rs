@@ -5,6 +5,11 @@ use crate::draws::Draws;
 use crate::parameter::ParameterError;
 use crate::random::Streams;
 
+mod balance;
+mod mixture;
+mod power;
+mod single_channel;
+
 /// Draws one distance for several channels, and the weight of each: of scattering there (albedo included), or of reaching
 /// the surface at the end of the ray.
 pub trait ChromaticSampler: Send + Sync {
@@ -40,5 +45,14 @@ pub trait ChromaticSampler: Send + Sync {
     /// Naming the parameter that does not fit.
     fn accepts(&self, _channels: &[Channel]) -> Result<(), ParameterError> {
         Ok(())
+    }
+}
+
+crate::list::list! {
+    /// Every chromatic sampler that a case can name.
+    pub enum AnyChromatic: dyn ChromaticSampler {
+        balance::Balance,
+        power::Power,
+        single_channel::SingleChannel,
     }
 }
