@@ -188,6 +188,18 @@ impl Majorants {
         }
     }
 
+    /// The same, with each bound raised to the greatest mu of `medium` where that exceeds it.
+    #[must_use]
+    pub(crate) fn raised(mut self, medium: &dyn Medium) -> Self {
+        for (k, span) in spans(&self.ends.clone()).enumerate() {
+            let greatest = greatest(medium, span);
+            if greatest > self.mu_bar[k] {
+                self.mu_bar[k] = greatest;
+            }
+        }
+        self
+    }
+
     /// The first segment in which `medium` exceeds its bound by more than rounding, as (segment, bound, greatest mu).
     #[must_use]
     pub fn shortfall(&self, medium: &dyn Medium) -> Option<(usize, f64, f64)> {

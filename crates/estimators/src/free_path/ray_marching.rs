@@ -27,6 +27,7 @@ pub struct RayMarching {
     /// Where in its step the extinction is looked up.
     pub rule: MarchingRule,
     /// How many steps, 1 to 1e8.
+    #[schemars(range(min = 1, max = 100_000_000))]
     pub steps: Steps,
 }
 

@@ -129,7 +129,7 @@ impl Columns<'_> {
         Some(self)
     }
 
-    /// The greatest difference of the two rules over the panel [a, b], whose columns begin at `first`.
+    /// The greatest difference of the two rules over the panel from `a` to `b`, whose columns begin at `first`.
     fn disagreement(&self, first: usize, a: f64, b: f64) -> f64 {
         let mut worst = 0.0;
         for i in 0..=self.comb.steps {
