@@ -65,11 +65,12 @@ fn the_first_draws_of_a_seed_are_pinned() -> Result<(), Box<dyn std::error::Erro
     let medium = Gaussian::new(4.0, 0.9, 0.25, 2.0, 0.0)?;
     let mut block = Draws::new(1000).with_t();
     DeltaTracking::default().sample_block(&medium, &streams(), &mut block);
-    let mut rng = streams().rng();
+    let streams = streams();
+    let mut rng = streams.rng();
     let scalar: Vec<f64> = (0..3).map(|_| DeltaTracking::default().sample(&medium, &mut rng).t).collect();
     let wave = Sinusoid::new(1.0, 0.9, 2.0, 2.185, 0.7)?;
     let mut ratio = Draws::new(1000).with_weight();
-    RatioTracking {}.estimate_block(&wave, &streams(), &mut ratio);
+    RatioTracking {}.estimate_block(&wave, &streams, &mut ratio);
     assert_eq!(bits(&block.t[..3]), PINNED_BLOCK);
     assert_eq!(bits(&scalar), PINNED_SCALAR);
     assert_eq!(bits(&ratio.weight[..3]), PINNED_RATIO);
