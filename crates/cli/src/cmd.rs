@@ -1,0 +1,4 @@
+//! One command per file. Each gives the exit code, or the trouble that it met.
+
+pub(crate) mod run;
+pub(crate) mod schema;
