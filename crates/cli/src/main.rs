@@ -22,7 +22,9 @@ fn main() -> ExitCode {
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Schema => cmd::schema::schema(),
-        _ => Ok(3),
+        Verb::List(args) => cmd::list::list(args),
+        Verb::Describe(args) => cmd::describe::describe(args),
+        Verb::Report(args) => cmd::report::report(args),
     };
     let code = done.unwrap_or_else(|trouble| {
         // If standard error is gone, there is nobody to tell.

@@ -18,6 +18,11 @@ pub(crate) fn print(text: &str) -> Result<(), Trouble> {
     }
 }
 
+/// Writes `value` to standard output as JSON.
+pub(crate) fn print_json(value: &serde_json::Value) -> Result<(), Trouble> {
+    print(&format!("{value:#}\n"))
+}
+
 impl When {
     /// Whether to use colour on a stream that is a terminal or not.
     pub(crate) fn colors(self, terminal: bool) -> bool {

@@ -1,12 +1,11 @@
 //! `freepath schema`.
 
+use crate::screen;
 use crate::trouble::Trouble;
-use crate::{reference, screen};
+use freepath_harness::case;
 
 /// Prints the JSON schema of a case.
 pub(crate) fn schema() -> Result<u8, Trouble> {
-    let schema = reference::schema();
-    let text = serde_json::to_string_pretty(&schema).map_err(|why| Trouble::Running(why.to_string()))?;
-    screen::print(&(text + "\n"))?;
+    screen::print_json(&case::schema())?;
     Ok(0)
 }
