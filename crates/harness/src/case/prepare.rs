@@ -358,6 +358,12 @@ impl CaseFile {
         let asked = spec.draws.or(self.case.draws).unwrap_or(DRAWS);
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
         let draws = limits.draws.unwrap_or((asked as f64 * effort).ceil() as u64);
+        if draws > MOST_DRAWS {
+            return Err(self.refuse(
+                "draws",
+                format!("{draws} draws are too many (at most {MOST_DRAWS})"),
+            ));
+        }
         let canonical =
             serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
         Ok(PreparedSubject {
