@@ -119,6 +119,16 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     )
 }
 
+/// Mean, expectation and method in words.
+fn words(sums: &PowerSums, claim: &MeanClaim, method: Method) -> String {
+    let mean = sums.center + sums.bias();
+    format!(
+        "mean {mean:.6e}, {:.6e} expected; {}",
+        claim.expected,
+        method.name()
+    )
+}
+
 /// mean - expected, whatever the sums are centred at.
 fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     sums.bias() + (sums.center - claim.expected)
