@@ -48,7 +48,8 @@ pub fn load(path: &Path, limits: &Limits) -> Vec<Prepared> {
 #[must_use]
 pub fn parse(text: &str) -> Vec<Prepared> {
     let file = CaseFile::parse(Path::new("case.json"), text).unwrap_or_else(|error| panic!("{error}"));
-    file.prepare(&Limits::default()).unwrap_or_else(|error| panic!("{error}"))
+    file.prepare(&Limits::default())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The results of `cases` under `seed`.
@@ -58,13 +59,27 @@ pub fn parse(text: &str) -> Vec<Prepared> {
 #[must_use]
 pub fn results(cases: &[Prepared], seed: u64) -> Results {
     let cancelled = AtomicBool::new(false);
-    let options = Options { seed, cancelled: &cancelled, progress: &|_, _| (), repro: String::new() };
-    run(cases, &options).unwrap_or_else(|_| panic!("nobody cancels")).results
+    let options = Options {
+        seed,
+        cancelled: &cancelled,
+        progress: &|_, _| (),
+        repro: String::new(),
+    };
+    run(cases, &options)
+        .unwrap_or_else(|_| panic!("nobody cancels"))
+        .results
 }
 
 /// One line for each result that is not as expected.
 #[must_use]
 pub fn surprises(results: &Results) -> Vec<String> {
     let wrong = results.results.iter().filter(|result| !result.as_expected);
-    wrong.map(|r| format!("{}: {} {:?} where {} is expected: {:?}", r.id, r.verdict, r.reasons, r.expected, r.notes)).collect()
+    wrong
+        .map(|r| {
+            format!(
+                "{}: {} {:?} where {} is expected: {:?}",
+                r.id, r.verdict, r.reasons, r.expected, r.notes
+            )
+        })
+        .collect()
 }

@@ -44,7 +44,11 @@ fn p_values() -> BTreeMap<String, Vec<f64>> {
                 let biased = result.estimator == "ray_marching";
                 let first = result.tests.into_iter().filter(|test| test.stage == 1);
                 for test in first.filter(|test| !biased || test.name.starts_with("own_")) {
-                    let kept = test.name.trim_start_matches("own_").trim_end_matches(char::is_numeric).to_string();
+                    let kept = test
+                        .name
+                        .trim_start_matches("own_")
+                        .trim_end_matches(char::is_numeric)
+                        .to_string();
                     all.entry(kept).or_default().extend(test.p.map(|p| p.0));
                 }
             }
@@ -62,7 +66,10 @@ fn no_test_rejects_more_often_than_its_level() {
             let below = p.iter().filter(|p| !(**p > level)).count() as u64;
             let chance = binomial_sf(p.len() as u64, level, below);
             if !(chance > 1e-6) {
-                faults.push(format!("{name}: {below} of {} p-values at or below {level} (chance {chance:.1e})", p.len()));
+                faults.push(format!(
+                    "{name}: {below} of {} p-values at or below {level} (chance {chance:.1e})",
+                    p.len()
+                ));
             }
         }
     }

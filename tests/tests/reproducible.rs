@@ -9,10 +9,17 @@ use freepath_harness::case::{Limits, Prepared};
 use freepath_tests::{case_paths, load, results};
 
 fn small() -> Vec<Prepared> {
-    let limits = Limits { draws: Some(40_000), ..Limits::default() };
+    let limits = Limits {
+        draws: Some(40_000),
+        ..Limits::default()
+    };
     let some = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
     let wanted = |path: &std::path::PathBuf| some.iter().any(|name| path.to_string_lossy().contains(name));
-    case_paths("cases").iter().filter(|path| wanted(path)).flat_map(|path| load(path, &limits)).collect()
+    case_paths("cases")
+        .iter()
+        .filter(|path| wanted(path))
+        .flat_map(|path| load(path, &limits))
+        .collect()
 }
 
 fn bytes(cases: &[Prepared]) -> String {
@@ -23,7 +30,10 @@ fn bytes(cases: &[Prepared]) -> String {
 fn results_have_the_same_bytes_for_any_number_of_threads() {
     let cases = small();
     let with = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("a pool");
         pool.install(|| bytes(&cases))
     };
     let one = with(1);
@@ -56,7 +66,11 @@ fn another_seed_gives_other_draws() {
 }
 
 fn streams() -> Streams {
-    Streams::new(Key { seed: 1, subject: 2, block: 3 })
+    Streams::new(Key {
+        seed: 1,
+        subject: 2,
+        block: 3,
+    })
 }
 
 /// A change here is value-breaking: say so in the changelog.
@@ -67,7 +81,9 @@ fn the_first_draws_of_a_seed_are_pinned() -> Result<(), Box<dyn std::error::Erro
     DeltaTracking::default().sample_block(&medium, &streams(), &mut block);
     let streams = streams();
     let mut rng = streams.rng();
-    let scalar: Vec<f64> = (0..3).map(|_| DeltaTracking::default().sample(&medium, &mut rng).t).collect();
+    let scalar: Vec<f64> = (0..3)
+        .map(|_| DeltaTracking::default().sample(&medium, &mut rng).t)
+        .collect();
     let wave = Sinusoid::new(1.0, 0.9, 2.0, 2.185, 0.7)?;
     let mut ratio = Draws::new(1000).with_weight();
     RatioTracking {}.estimate_block(&wave, &streams, &mut ratio);

@@ -211,7 +211,11 @@ impl Majorants {
 
 /// The greatest mu of a segment, which does not hold its own end: a jump there belongs to the next.
 fn greatest(medium: &dyn Medium, (start, end): (f64, f64)) -> f64 {
-    let end = if end < medium.length() { end.next_down() } else { end };
+    let end = if end < medium.length() {
+        end.next_down()
+    } else {
+        end
+    };
     medium.extrema(start, end).1
 }
 

@@ -9,15 +9,19 @@ use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
+mod check;
 mod error;
 mod faults;
+mod fit;
+mod name;
 mod prepare;
 mod subject;
 mod surroundings;
 
 pub use error::CaseError;
 pub use faults::Faults;
-pub use prepare::{Expected, Limits, Prepared, PreparedSubject, World, hash};
+pub use name::hash;
+pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use subject::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.
