@@ -20,7 +20,8 @@ struct Row<'a> {
 impl<'a> Row<'a> {
     fn new(of: &'a SubjectResult) -> Self {
         let ray = of.ray.map(|ray| format!(" ray {ray}")).unwrap_or_default();
-        let case = cell(&of.case, 24 - ray.len().min(12)) + &ray;
+        let file = Path::new(&of.file).file_stem().unwrap_or_default();
+        let case = cell(&file.to_string_lossy(), 20) + &ray;
         let codes: Vec<_> = of.reasons.iter().map(|reason| reason.code()).collect();
         let mut reasons = codes.join(", ");
         if !of.as_expected {
@@ -32,7 +33,7 @@ impl<'a> Row<'a> {
             cells: [
                 of.verdict.to_string(),
                 cell(&of.kind, 13),
-                cell(&of.subject, 32),
+                cell(&of.subject, 28),
                 case,
                 figure(of),
             ],
@@ -64,7 +65,7 @@ fn figure(of: &SubjectResult) -> String {
         .chain(of.channels.iter().map(|channel| &channel.mean));
     let bound = |x: Real| format!("bound {:.1e}", x.0);
     match (&of.law, means.max_by(worst), of.verdict) {
-        (Some(law), _, Verdict::Fail) => format!("distance {:.1e}", law.distance.0),
+        (Some(law), _, Verdict::Fail) => format!("gap {:.1e}", law.distance.0),
         (Some(law), ..) => bound(law.bound),
         (_, Some(mean), Verdict::Fail) => format!("bias {:+.1e}", mean.bias.0),
         (_, Some(mean), _) => bound(mean.bound),

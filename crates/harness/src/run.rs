@@ -128,30 +128,7 @@ fn stage_one<'a>(
         cancelled: options.cancelled,
         progress: &tell,
     };
-    let blocks = Subject::blocks(subject.draws);
-    let mut seconds = 0.0;
-    let first = match collect(&subject, &plan, options.seed, 0..blocks, &watch) {
-        Ok(collected) => {
-            seconds = collected.seconds;
-            let mut judged = judge(&subject, &plan, &collected);
-            let more = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
-            let growth = grow::Growth {
-                seed: options.seed,
-                watch: &watch,
-                planned: &more,
-            };
-            growth.towards_bound(&subject, &plan, &collected, &mut judged)?;
-            Stage1 {
-                judged,
-                collected: Some(collected),
-            }
-        }
-        Err(Stopped::Cancelled) => return Err(Cancelled),
-        Err(Stopped::Subject(why)) => Stage1 {
-            judged: broken(why),
-            collected: None,
-        },
-    };
+    let (first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
     Ok(Trial {
         case,
         prepared,
@@ -161,6 +138,36 @@ fn stage_one<'a>(
         second: None,
         seconds,
     })
+}
+
+/// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
+fn first_stage(
+    subject: &Subject,
+    plan: &Plan,
+    options: &Options,
+    watch: &Watch,
+    name: &str,
+) -> Result<(Stage1, f64), Cancelled> {
+    let blocks = Subject::blocks(subject.draws);
+    let collected = match collect(subject, plan, options.seed, 0..blocks, watch) {
+        Ok(collected) => collected,
+        Err(Stopped::Cancelled) => return Err(Cancelled),
+        Err(Stopped::Subject(why)) => {
+            let judged = broken(why);
+            let collected = None;
+            return Ok((Stage1 { judged, collected }, 0.0));
+        }
+    };
+    let mut judged = judge(subject, plan, &collected);
+    let growth = grow::Growth {
+        seed: options.seed,
+        watch,
+        planned: &|draws| (options.progress)(Progress::Planned(draws), name),
+    };
+    growth.towards_bound(subject, plan, &collected, &mut judged)?;
+    let seconds = collected.seconds;
+    let collected = Some(collected);
+    Ok((Stage1 { judged, collected }, seconds))
 }
 
 fn broken(why: String) -> Judged {

@@ -1,6 +1,7 @@
 //! `freepath report`: what a run found, shown once more. The files may come from anywhere.
 
 use crate::args::Report;
+use crate::files;
 use crate::screen::{self, cell};
 use crate::trouble::Trouble;
 use freepath_harness::results::{Results, SCHEMA_VERSION, Timings};
@@ -16,29 +17,34 @@ const MOST_BYTES: u64 = 256 << 20;
 pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
     let text = text(&args.results).map_err(Trouble::unusable)?;
     let results = parsed(&args.results, &text).map_err(Trouble::unusable)?;
-    let folder = args.results.parent().unwrap_or(Path::new("."));
-    let run = freepath_report::run_id(&text);
-    // Timings that are missing, unreadable or of another run are left out: they add to a report and decide nothing.
-    let beside = folder.join("timings.json");
-    let timings = self::text(&beside)
-        .ok()
-        .and_then(|text| serde_json::from_str::<Timings>(&text).ok());
-    let timings = timings.filter(|timings| timings.run == run);
-    let out = args.out.as_deref().unwrap_or(folder);
-    let options = freepath_report::Options {
-        run: Some(run),
-        ..Default::default()
+    let folder = match args.results.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
     };
-    let written = fs::create_dir_all(if out.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        out
-    });
-    written.map_err(|why| Trouble::Running(format!("cannot write {}: {why}", out.display())))?;
-    let written = options.write(&results, timings.as_ref(), out);
-    written.map_err(|why| Trouble::Running(why.to_string()))?;
+    // Timings that are missing or unreadable are left out: they add to a report and decide nothing.
+    let beside = self::text(&folder.join("timings.json")).unwrap_or_default();
+    let timings = serde_json::from_str(&beside).ok();
+    let out = args.out.as_deref().unwrap_or(folder);
+    files::open(out)?;
+    page(&results, &freepath_report::run_id(&text), timings.as_ref(), out)?;
     screen::print(&format!("report: {}\n", out.join("index.html").display()))?;
     Ok(0)
+}
+
+/// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
+pub(crate) fn page(
+    results: &Results,
+    run: &str,
+    timings: Option<&Timings>,
+    out: &Path,
+) -> Result<(), Trouble> {
+    let options = freepath_report::Options {
+        run: Some(run.to_string()),
+        ..Default::default()
+    };
+    options
+        .write(results, timings, out)
+        .map_err(|why| Trouble::Running(why.to_string()))
 }
 
 /// The text of a regular file of bounded length.

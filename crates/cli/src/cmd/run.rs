@@ -1,6 +1,7 @@
 //! `freepath run`: cases in, a line for each subject and a report out.
 
 use crate::args::{Run, When};
+use crate::cmd::report;
 use crate::progress::Bar;
 use crate::trouble::Trouble;
 use crate::{cases, files, filter, screen, table};
@@ -118,7 +119,7 @@ fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Tr
     screen::print(&table::stories(&outcome.results))
 }
 
-/// The page comes last: whoever finds it finds the rest.
+/// The page comes last: whoever finds it finds the rest. It is a view of results.json, to the last digit.
 fn write(args: &Run, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
     let run = freepath_report::run_id(text);
     let timings = Timings {
@@ -128,14 +129,10 @@ fn write(args: &Run, outcome: &Outcome, text: &str, start: Instant) -> Result<()
         isa: simd::isa().name().into(),
         subjects: outcome.timings.clone(),
     };
-    let clock = serde_json::to_string_pretty(&timings).map_err(running)?;
+    let clock = serde_json::to_string_pretty(&timings).map_err(running)? + "\n";
     files::write(&args.out.join("results.json"), text)?;
-    files::write(&args.out.join("timings.json"), &(clock + "\n"))?;
-    let options = freepath_report::Options {
-        run: Some(run),
-        ..Default::default()
-    };
-    options
-        .write(&outcome.results, Some(&timings), &args.out)
-        .map_err(running)
+    files::write(&args.out.join("timings.json"), &clock)?;
+    let results = serde_json::from_str(text).map_err(running)?;
+    let timings = serde_json::from_str(&clock).map_err(running)?;
+    report::page(&results, &run, Some(&timings), &args.out)
 }

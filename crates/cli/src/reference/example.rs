@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String {
     let used = match body {
         Value::Null => json!(name),
+        _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
         body => json!({ name: value(schema, name, body) }),
     };
     match kind {
