@@ -14,6 +14,7 @@ mod digest;
 mod draw;
 mod error;
 mod figures;
+mod fit;
 mod number;
 mod page;
 mod plot;

@@ -1,6 +1,14 @@
 //! The plots, one in each file: from results to a picture.
 
 pub(crate) mod cdf;
+pub(crate) mod cost;
+pub(crate) mod efficiency;
+pub(crate) mod forest;
+pub(crate) mod histogram;
+pub(crate) mod medium;
+pub(crate) mod order;
+pub(crate) mod residuals;
+pub(crate) mod running;
 
 use crate::draw::{Picture, Point};
 use freepath_harness::real::Real;
