@@ -114,7 +114,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
         }
     };
     (
-        evidence.noted_if_empty(method.name()),
+        evidence.noted_if_empty(&words(sums, claim, method)),
         interval(sums, claim, method),
     )
 }
