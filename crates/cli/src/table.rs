@@ -56,19 +56,19 @@ impl<'a> Row<'a> {
     }
 }
 
-/// How far the subject is off, if it fails; else how far it could still be.
+/// How far the subject is off, if it fails; else how far it could still be, and what would have been seen.
 fn figure(of: &SubjectResult) -> String {
     let worst = |a: &&MeanResult, b: &&MeanResult| a.bias.0.abs().total_cmp(&b.bias.0.abs());
     let means = of
         .mean
         .iter()
         .chain(of.channels.iter().map(|channel| &channel.mean));
-    let bound = |x: Real| format!("bound {:.1e}", x.0);
+    let bound = |x: Real, seen: Real| format!("bound {:.1e}, detectable {:.1e}", x.0, seen.0);
     match (&of.law, means.max_by(worst), of.verdict) {
         (Some(law), _, Verdict::Fail) => format!("gap {:.1e}", law.distance.0),
-        (Some(law), ..) => bound(law.bound),
+        (Some(law), ..) => bound(law.bound, law.detectable),
         (_, Some(mean), Verdict::Fail) => format!("bias {:+.1e}", mean.bias.0),
-        (_, Some(mean), _) => bound(mean.bound),
+        (_, Some(mean), _) => bound(mean.bound, mean.detectable),
         _ => String::new(),
     }
 }
