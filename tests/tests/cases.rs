@@ -2,7 +2,7 @@
 
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::case::{Case, CaseFile, FreePathSubject, Limits, TransmittanceSubject};
 use freepath_harness::fault::Fault;
 use freepath_tests::{case_paths, load, results, surprises};
 
@@ -29,5 +29,19 @@ fn every_name_is_in_a_case() {
         .chain(AnyChromatic::NAMES);
     for name in subjects.chain(AnyMedium::NAMES).copied().chain(faults) {
         assert!(text.contains(&format!("\"{name}\"")), "no case names {name:?}");
+    }
+}
+
+#[test]
+fn every_case_survives_being_written_and_read_again() {
+    for path in case_paths("cases") {
+        let first = CaseFile::load(&path)
+            .unwrap_or_else(|error| panic!("{error}"))
+            .case;
+        let text = serde_json::to_string_pretty(&first).expect("a case is JSON");
+        let again: Case = CaseFile::parse(&path, text)
+            .unwrap_or_else(|error| panic!("{error}"))
+            .case;
+        assert_eq!(first, again, "{}", path.display());
     }
 }
