@@ -7,7 +7,7 @@ use crate::parameter::ParameterError;
 use crate::random::Streams;
 use crate::woodcock::one_by_one;
 
-mod delta_tracking;
+pub(crate) mod delta_tracking;
 
 /// One draw of a free path.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@
 
 pub mod chromatic;
 pub mod claims;
+pub mod comb;
 pub mod draws;
 pub mod extinction;
 pub mod free_path;

@@ -36,8 +36,11 @@ pub struct Integral {
     pub error: f64,
 }
 
+/// Panels that one integral may take: noise that no halving removes must not cost 2^40 of them.
+const MOST_PANELS: u32 = 100_000;
+
 /// The integral of `f` from `a` to `b`, each panel between the `breaks` halved until its two rules agree to 1e-13 of
-/// the whole, at most 40 times.
+/// the whole, at most 40 times and into some 100,000 panels.
 ///
 /// A feature that no node meets is missed: hand in its place among the breaks.
 pub fn integrate(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64]) -> Integral {
@@ -45,26 +48,42 @@ pub fn integrate(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64]) -> Inte
     let ends: Vec<f64> = std::iter::once(a).chain(inner).chain([b]).collect();
     let coarse: Vec<Integral> = ends.windows(2).map(|w| panel(f, w[0], w[1])).collect();
     let scale: f64 = coarse.iter().map(|panel| panel.value.abs()).sum();
-    let mut total = Integral::default();
+    let (mut total, mut panels) = (Integral::default(), MOST_PANELS);
     for (w, first) in ends.windows(2).zip(coarse) {
-        let part = refine(f, w[0], w[1], first, 1e-13 * scale, 40);
+        let part = Refine {
+            f,
+            panels: &mut panels,
+        }
+        .refine((w[0], w[1]), first, 1e-13 * scale, 40);
         total.value += part.value;
         total.error += part.error;
     }
     total
 }
 
-fn refine(f: &dyn Fn(f64) -> f64, a: f64, b: f64, whole: Integral, tolerance: f64, depth: u32) -> Integral {
-    let refinable = whole.error > tolerance && whole.error > 1e-15 * whole.value.abs(); // not so for NaN
-    if depth == 0 || !refinable {
-        return whole;
-    }
-    let m = 0.5 * (a + b);
-    let half = |a, b| refine(f, a, b, panel(f, a, b), 0.5 * tolerance, depth - 1);
-    let (left, right) = (half(a, m), half(m, b));
-    Integral {
-        value: left.value + right.value,
-        error: left.error + right.error,
+/// An integrand, and the panels left to spend on it.
+struct Refine<'a> {
+    f: &'a dyn Fn(f64) -> f64,
+    panels: &'a mut u32,
+}
+
+impl Refine<'_> {
+    fn refine(&mut self, (a, b): (f64, f64), whole: Integral, tolerance: f64, depth: u32) -> Integral {
+        let refinable = whole.error > tolerance && whole.error > 1e-15 * whole.value.abs(); // not so for NaN
+        if depth == 0 || *self.panels < 2 || !refinable {
+            return whole;
+        }
+        *self.panels -= 2;
+        let m = 0.5 * (a + b);
+        let mut half = |a, b| {
+            let whole = panel(self.f, a, b);
+            self.refine((a, b), whole, 0.5 * tolerance, depth - 1)
+        };
+        let (left, right) = (half(a, m), half(m, b));
+        Integral {
+            value: left.value + right.value,
+            error: left.error + right.error,
+        }
     }
 }
 
@@ -97,6 +116,12 @@ mod tests {
         let broken = integrate(&step, 0.0, 3.0, &[1.25]);
         assert!((broken.value - 3.375).abs() < 1e-14 && broken.error < 1e-13);
         assert!((integrate(&libm::sqrt, 0.0, 1.0, &[]).value - 2.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn noise_ends_too() {
+        let noise = |t: f64| libm::sin(1e15 * t);
+        assert!(integrate(&noise, 0.0, 1.0, &[]).value.abs() < 0.1);
     }
 
     #[test]

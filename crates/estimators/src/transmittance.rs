@@ -8,7 +8,15 @@ use crate::parameter::ParameterError;
 use crate::random::Streams;
 use crate::woodcock::one_by_one;
 
+mod delta_tracking;
+mod ratio_roulette;
 mod ratio_tracking;
+mod ray_marching;
+mod residual_ratio_tracking;
+
+pub use ratio_roulette::RouletteRule;
+pub use ray_marching::MarchingRule;
+pub use residual_ratio_tracking::Control;
 
 /// Estimates the transmittance T = exp(-tau(length)) of a ray.
 pub trait TransmittanceEstimator: Send + Sync {
@@ -45,6 +53,10 @@ pub trait TransmittanceEstimator: Send + Sync {
 crate::list::list! {
     /// Every transmittance estimator that a case can name.
     pub enum AnyTransmittance: dyn TransmittanceEstimator {
+        delta_tracking::DeltaTracking,
+        ratio_roulette::RatioRoulette,
         ratio_tracking::RatioTracking,
+        ray_marching::RayMarching,
+        residual_ratio_tracking::ResidualRatioTracking,
     }
 }

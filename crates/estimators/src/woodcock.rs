@@ -9,7 +9,7 @@
 use crate::draws::Draws;
 use crate::extinction::Extinction;
 use crate::free_path::FreePath;
-use crate::random::{Streams, exponential};
+use crate::random::{Streams, exponential, uniform};
 
 mod rates;
 mod tile;
@@ -70,48 +70,42 @@ pub fn walk<R: CollisionRule>(
     medium: &dyn Extinction,
     rng: &mut dyn rand::Rng,
 ) -> FreePath {
-    let (mut state, mut t, mut segment, mut collisions) = (rule.start(), 0.0, 0, 0);
-    loop {
-        t += exponential(rng) * rates.mfp(segment);
-        while !(t < rates.end(segment)) {
+    let (mut state, mut t, mut collisions) = (rule.start(), 0.0, 0);
+    let (mut segment, mut end, mut mfp, mut control) = (0, rates.end(0), rates.mfp(0), rates.control(0));
+    let (t, escaped) = 'walk: loop {
+        t += exponential(rng) * mfp;
+        while !(t < end) {
             if segment + 1 == rates.len() {
-                return FreePath {
-                    t: f64::INFINITY,
-                    weight: rule.weight(state, true),
-                    collisions,
-                };
+                break 'walk (f64::INFINITY, true);
             }
             let depth = match form {
-                Form::Carry => (t - rates.end(segment)) * rates.rate(segment),
+                Form::Carry => (t - end) * rates.rate(segment),
                 Form::Restart => exponential(rng),
             };
-            t = rates.end(segment) + depth * rates.mfp(segment + 1);
             segment += 1;
+            t = end + depth * rates.mfp(segment);
+            (end, mfp, control) = (rates.end(segment), rates.mfp(segment), rates.control(segment));
         }
-        let u = if R::DRAWS {
-            crate::random::uniform(rng)
-        } else {
-            0.0
+        let u = if R::DRAWS { uniform(rng) } else { 0.0 };
+        let mu = medium.mu(t);
+        let at = Collision {
+            t,
+            mu,
+            mfp,
+            control,
+            u,
         };
-        let (mfp, control) = (rates.mfp(segment), rates.control(segment));
-        let (next, stop) = rule.collide(
-            state,
-            Collision {
-                t,
-                mu: medium.mu(t),
-                mfp,
-                control,
-                u,
-            },
-        );
+        let (next, stop) = rule.collide(state, at);
         (state, collisions) = (next, collisions + 1);
         if stop {
-            return FreePath {
-                t,
-                weight: rule.weight(state, false),
-                collisions,
-            };
+            break (t, false);
         }
+    };
+    let weight = rule.weight(state, escaped);
+    FreePath {
+        t,
+        weight,
+        collisions,
     }
 }
 

@@ -28,9 +28,12 @@ pub struct DeltaTracking {
     pub form: Form,
 }
 
-/// Stops with probability mu / mu_bar.
+/// Stops with probability mu / mu_bar. Shared with the transmittance estimator of the same name.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Analog;
+pub(crate) struct Analog {
+    /// The weight of a walk that stops; an escape weighs 1.
+    pub(crate) stopped: f64,
+}
 
 impl CollisionRule for Analog {
     type State = ();
@@ -45,8 +48,8 @@ impl CollisionRule for Analog {
     }
 
     #[inline(always)]
-    fn weight(&self, (): (), _escaped: bool) -> f64 {
-        1.0
+    fn weight(&self, (): (), escaped: bool) -> f64 {
+        if escaped { 1.0 } else { self.stopped }
     }
 }
 
@@ -61,12 +64,18 @@ pub(crate) fn expected_lookups(truth: &dyn Medium) -> f64 {
 
 impl FreePathSampler for DeltaTracking {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
-        walk(&Analog, &Rates::of(medium.majorants()), self.form, medium, rng)
+        walk(
+            &Analog { stopped: 1.0 },
+            &Rates::of(medium.majorants()),
+            self.form,
+            medium,
+            rng,
+        )
     }
 
     fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         walks(
-            &Analog,
+            &Analog { stopped: 1.0 },
             &Rates::of(medium.majorants()),
             self.form,
             medium,

@@ -57,11 +57,20 @@ pub(crate) fn moments(truth: &dyn Medium, rates: &Rates, start: f64) -> [f64; 6]
     std::array::from_fn(|i| {
         let k = (i + 1) as f64;
         let part = |(a, b, rate, control): (f64, f64, f64, f64)| {
-            let gain = |t: f64| rate * (libm::pow(1.0 - (truth.mu(t) - control) / rate, k) - 1.0);
+            let gain = |t: f64| rate * growth((truth.mu(t) - control) / rate, k);
             integrate(&gain, a, b, truth.breaks()).value
         };
         libm::pow(start, k) * libm::exp(rates.segments().map(part).sum())
     })
+}
+
+/// (1 - x)^k - 1, with all its digits for small x.
+fn growth(x: f64, k: f64) -> f64 {
+    if x < 0.5 {
+        libm::expm1(k * libm::log1p(-x))
+    } else {
+        libm::pow(1.0 - x, k) - 1.0
+    }
 }
 
 impl TransmittanceEstimator for RatioTracking {

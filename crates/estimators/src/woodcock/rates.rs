@@ -1,38 +1,44 @@
 use crate::majorants::Majorants;
+use std::borrow::Cow;
 
-/// The rates of tentative collisions by segment, and the control extinction beside them.
+/// The rates of tentative collisions by segment, and the control extinction beside them. Borrowed where it can be: a
+/// single walk must not pay for a copy.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rates {
-    ends: Vec<f64>,
-    rate: Vec<f64>,
+pub struct Rates<'a> {
+    ends: Cow<'a, [f64]>,
+    rate: Cow<'a, [f64]>,
     mfp: Vec<f64>,
-    control: Vec<f64>,
+    control: Cow<'a, [f64]>,
 }
 
-impl Rates {
+impl<'a> Rates<'a> {
     /// The majorants as rates, with no control.
     #[must_use]
-    pub fn of(majorants: &Majorants) -> Self {
-        let control = vec![0.0; majorants.ends().len()];
-        Self::new(majorants.ends().to_vec(), majorants.mu_bar().to_vec(), control)
+    pub fn of(majorants: &'a Majorants) -> Self {
+        Self::new(majorants.ends(), majorants.mu_bar(), &[][..])
     }
 
-    /// One rate and one control for each segment.
-    ///
-    /// A walk divides by its rate, and an overshoot is multiplied by it again: in empty space a rate of 0 is stored as
-    /// 1e-300, which no walk can tell from it.
+    /// One rate for each segment, and one control for each, or no control at all.
     #[must_use]
-    pub fn new(ends: Vec<f64>, rate: Vec<f64>, control: Vec<f64>) -> Self {
-        let rate: Vec<f64> = rate
-            .into_iter()
-            .map(|r| if r < 1e-300 { 1e-300 } else { r })
-            .collect();
-        let mfp = rate.iter().map(|r| 1.0 / r).collect();
+    pub fn new(
+        ends: impl Into<Cow<'a, [f64]>>,
+        rate: impl Into<Cow<'a, [f64]>>,
+        control: impl Into<Cow<'a, [f64]>>,
+    ) -> Self {
         Self {
-            ends,
-            rate,
-            mfp,
-            control,
+            ends: ends.into(),
+            rate: rate.into(),
+            mfp: vec![],
+            control: control.into(),
+        }
+    }
+
+    /// The same with every quotient 1 / rate kept: worth it for a block of walks, not for one.
+    #[must_use]
+    pub fn tabulated(&self) -> Self {
+        Self {
+            mfp: (0..self.len()).map(|k| self.mfp(k)).collect(),
+            ..self.clone()
         }
     }
 
@@ -52,33 +58,38 @@ impl Rates {
     }
 
     /// The rate of segment `k`.
+    ///
+    /// A walk divides by its rate, and an overshoot is multiplied by it again: in empty space a rate of 0 becomes
+    /// 1e-300, which no walk can tell from it.
     #[inline(always)]
     #[must_use]
     pub fn rate(&self, k: usize) -> f64 {
-        self.rate[k]
+        let rate = self.rate[k];
+        if rate < 1e-300 { 1e-300 } else { rate }
     }
 
     /// 1 / rate of segment `k`.
     #[inline(always)]
     #[must_use]
     pub fn mfp(&self, k: usize) -> f64 {
-        self.mfp[k]
+        match self.mfp.get(k) {
+            Some(&mfp) => mfp,
+            None => 1.0 / self.rate(k),
+        }
     }
 
     /// The control extinction of segment `k`.
     #[inline(always)]
     #[must_use]
     pub fn control(&self, k: usize) -> f64 {
-        self.control[k]
+        self.control.get(k).copied().unwrap_or(0.0)
     }
 
     /// Start, end, rate and control of each segment.
     pub fn segments(&self) -> impl Iterator<Item = (f64, f64, f64, f64)> {
         let starts = std::iter::once(0.0).chain(self.ends.iter().copied());
-        let rest = self.ends.iter().zip(&self.rate).zip(&self.control);
-        starts
-            .zip(rest)
-            .map(|(start, ((&end, &rate), &control))| (start, end, rate, control))
+        let spans = starts.zip(self.ends.iter().copied()).enumerate();
+        spans.map(|(k, (start, end))| (start, end, self.rate(k), self.control(k)))
     }
 
     /// The integral of the control over the whole length.

@@ -21,6 +21,7 @@ pub fn walks<R: CollisionRule>(
     streams: &Streams,
     out: &mut Draws,
 ) {
+    let rates = &rates.tabulated();
     match streams.script() {
         None => {
             let mut lanes = streams.key().lanes();
@@ -133,7 +134,7 @@ impl<S: Copy> Tile<S> {
 fn for_each_set(set: &[u32; ROWS], len: usize, mut event: impl FnMut(usize)) {
     for r in (0..len.div_ceil(LANES)).rev() {
         let above = (r + 1) * LANES;
-        let absent = if above > len { above - len } else { 0 };
+        let absent = above.saturating_sub(len);
         let mut bits = set[r] & (u32::MAX >> absent);
         while bits != 0 {
             let top = bits.ilog2();
@@ -146,7 +147,7 @@ fn for_each_set(set: &[u32; ROWS], len: usize, mut event: impl FnMut(usize)) {
 /// What stays the same while a block of walks is in the air.
 struct Flight<'a, R, U> {
     rule: &'a R,
-    rates: &'a Rates,
+    rates: &'a Rates<'a>,
     form: Form,
     medium: &'a dyn Extinction,
     uniforms: &'a mut U,
@@ -182,12 +183,12 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
     #[inline(always)]
     fn fly(&mut self, tile: &mut Tile<R::State>, pass: u32, out: &mut Draws) {
         let (mut u, mut set) = ([0.0; LANES], [0; ROWS]);
-        for r in 0..tile.rows() {
+        for (r, set) in set.iter_mut().enumerate().take(tile.rows()) {
             self.uniforms.fill(&mut u);
             let (t, mfp, end) = (&mut tile.t[r], &tile.mfp[r], &tile.end[r]);
             for l in 0..LANES {
                 t[l] -= math::ln(1.0 - u[l]) * mfp[l];
-                set[r] |= if t[l] < end[l] { 0 } else { 1 << l };
+                *set |= if t[l] < end[l] { 0 } else { 1 << l };
             }
         }
         for_each_set(

@@ -1,0 +1,205 @@
+use crate::claims::TransmittanceClaims;
+use crate::comb::{Comb, Compensated, Steps, TILE};
+use crate::draws::Draws;
+use crate::extinction::{Extinction, Medium};
+use crate::math;
+use crate::parameter::ParameterError;
+use crate::quadrature::integrate;
+use crate::random::{LANES, ScriptedLanes, Streams, Uniforms, uniform};
+use crate::simd;
+use crate::transmittance::TransmittanceEstimator;
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+/// Ray marching: a Riemann sum of the optical depth, biased by design (Kettunen, d'Eon, Pantaleoni and Novak 2021).
+///
+/// ```text
+/// X = exp(-h sum_j mu(h (j + v_j))),   h = length / steps
+/// v_j = 1/2 (midpoint); one uniform for all j (comb); one uniform each (stratified)
+/// ```
+///
+/// Target: E[X], with a bias of order h^2 (midpoint, comb) or h^3 (stratified) in a smooth medium.
+/// Range:  (0, 1].
+/// Cost:   `steps` look-ups exactly; a block of midpoints, which are all the same, is marched once.
+/// Needs:  `mu`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "ray_marching_transmittance")]
+pub struct RayMarching {
+    /// Where in its step each point lies.
+    pub rule: MarchingRule,
+    /// How many steps, 1 to 1e8.
+    pub steps: Steps,
+}
+
+/// Where in its step each point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "ray_marching_transmittance_rule")]
+pub enum MarchingRule {
+    /// In the middle.
+    Midpoint,
+    /// All at the same random fraction of their steps.
+    #[doc(alias = "jitter")]
+    Comb,
+    /// Each at its own random fraction.
+    Stratified,
+}
+
+impl RayMarching {
+    /// Ray marching by `rule` in `steps` steps.
+    ///
+    /// # Errors
+    /// If there are no steps, or more than 1e8.
+    pub fn new(rule: MarchingRule, steps: usize) -> Result<Self, ParameterError> {
+        let steps = Steps::new(steps)?;
+        Ok(Self { rule, steps })
+    }
+
+    /// One estimate for each row, [`LANES`] of them side by side.
+    #[inline(always)]
+    fn march(&self, medium: &dyn Extinction, uniforms: &mut impl Uniforms, out: &mut Draws) {
+        let comb = Comb::new(self.steps, medium);
+        for first in (0..out.rows).step_by(LANES) {
+            let lanes = LANES.min(out.rows - first);
+            let mut depth = self.depths(&comb, medium, uniforms, lanes);
+            for depth in &mut depth {
+                *depth = math::exp(-*depth);
+            }
+            for (l, &estimate) in depth[..lanes].iter().enumerate() {
+                out.put(first + l, f64::INFINITY, estimate, 0);
+            }
+        }
+    }
+
+    /// The optical depths of the first `lanes` lanes, so many steps at a time as make a tile of look-ups.
+    #[inline(always)]
+    fn depths(
+        &self,
+        comb: &Comb,
+        medium: &dyn Extinction,
+        uniforms: &mut impl Uniforms,
+        lanes: usize,
+    ) -> [f64; LANES] {
+        let (mut t, mut mu, mut v) = ([0.0; TILE], [0.0; TILE], [0.0; LANES]);
+        let mut sum = Compensated::<LANES>::default();
+        uniforms.fill(&mut v);
+        for first in (0..comb.steps).step_by(TILE / LANES) {
+            let points = lanes * (TILE / LANES).min(comb.steps - first);
+            for (j, row) in t[..points].chunks_exact_mut(lanes).enumerate() {
+                if self.rule == MarchingRule::Stratified && first + j > 0 {
+                    uniforms.fill(&mut v);
+                }
+                for (t, v) in row.iter_mut().zip(v) {
+                    *t = comb.at(first + j, v);
+                }
+            }
+            medium.mu_tile(&t[..points], &mut mu[..points]);
+            let mut part = [0.0; LANES];
+            for row in mu[..points].chunks_exact(lanes) {
+                for (part, mu) in part.iter_mut().zip(row) {
+                    *part += mu;
+                }
+            }
+            sum.add(part);
+        }
+        sum.total.map(|sum| comb.h * sum)
+    }
+}
+
+impl TransmittanceEstimator for RayMarching {
+    fn estimate(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> f64 {
+        let comb = Comb::new(self.steps, medium);
+        let depth = match self.rule {
+            MarchingRule::Midpoint => comb.depth(medium, || 0.5),
+            MarchingRule::Comb => {
+                let v = uniform(rng);
+                comb.depth(medium, || v)
+            }
+            MarchingRule::Stratified => comb.depth(medium, || uniform(rng)),
+        };
+        math::exp(-depth)
+    }
+
+    fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        match (self.rule, streams.script()) {
+            (MarchingRule::Midpoint, _) => {
+                let estimate = self.estimate(medium, &mut streams.rng());
+                (0..out.rows).for_each(|row| out.put(row, f64::INFINITY, estimate, 0));
+            }
+            (_, None) => {
+                let mut lanes = streams.key().lanes();
+                simd::dispatch(
+                    #[inline(always)]
+                    || self.march(medium, &mut lanes, out),
+                );
+            }
+            (_, Some(script)) => self.march(medium, &mut ScriptedLanes::new(streams.key(), script), out),
+        }
+    }
+
+    fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
+        let moments = self.moments(truth);
+        let smooth = truth.breaks().is_empty();
+        TransmittanceClaims {
+            bounded: false,
+            own_mean: moments.map(|moments| moments[0]),
+            moments,
+            range: Some((0.0, 1.0)),
+            lookups: (self.rule != MarchingRule::Midpoint).then_some(self.steps.get() as f64),
+            order: smooth.then_some(if self.rule == MarchingRule::Stratified {
+                3.0
+            } else {
+                2.0
+            }),
+            ..TransmittanceClaims::default()
+        }
+    }
+}
+
+/// Look-ups that the moments may take; with more steps the bias is far below what any run can see.
+const MOST_LOOKUPS: usize = 50_000_000;
+
+impl RayMarching {
+    /// E[X^k] for k = 1 to 6.
+    ///
+    /// ```text
+    /// comb: int_0^1 exp(-k tau_v) dv;   stratified: prod_j 1/h int over step j of exp(-k h mu)
+    /// ```
+    fn moments(&self, truth: &dyn Medium) -> Option<[f64; 6]> {
+        let comb = Comb::new(self.steps, truth);
+        let power = |i: usize| (i + 1) as f64;
+        match self.rule {
+            MarchingRule::Midpoint => {
+                let depth = comb.depth(truth, || 0.5);
+                Some(std::array::from_fn(|i| libm::exp(-power(i) * depth)))
+            }
+            MarchingRule::Comb => {
+                let jumps = comb.jumps(truth.breaks());
+                let depths = RefCell::new(HashMap::new());
+                let depth = |v: f64| {
+                    *depths
+                        .borrow_mut()
+                        .entry(v.to_bits())
+                        .or_insert_with(|| comb.depth(truth, || v))
+                };
+                let moment = |k: f64| integrate(&|v| libm::exp(-k * depth(v)), 0.0, 1.0, &jumps).value;
+                let lookups = 30 * (jumps.len() + 1) * comb.steps;
+                (lookups <= MOST_LOOKUPS).then(|| std::array::from_fn(|i| moment(power(i))))
+            }
+            MarchingRule::Stratified => {
+                let lookups = 90 * (comb.steps + truth.breaks().len());
+                let moment = |k: f64| (0..comb.steps).map(|j| stratum(truth, &comb, j, k)).product();
+                (lookups <= MOST_LOOKUPS).then(|| std::array::from_fn(|i| moment(power(i))))
+            }
+        }
+    }
+}
+
+/// The mean of exp(-k h mu) over step `j`.
+fn stratum(truth: &dyn Medium, comb: &Comb, j: usize, k: f64) -> f64 {
+    let (a, b) = (comb.at(j, 0.0), comb.at(j, 1.0));
+    let breaks = truth.breaks();
+    let inner = &breaks[breaks.partition_point(|&x| x <= a)..breaks.partition_point(|&x| x < b)];
+    integrate(&|t| libm::exp(-k * comb.h * truth.mu(t)), a, b, inner).value / (b - a)
+}

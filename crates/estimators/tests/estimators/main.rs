@@ -1,0 +1,6 @@
+//! Every estimator against its claims, and the claims against brute force.
+#![expect(clippy::float_cmp, reason = "what is exact is compared exactly")]
+
+mod media;
+mod transmittance;
+mod transmittance_exact;
