@@ -5,6 +5,11 @@ use crate::draws::Draws;
 use crate::parameter::ParameterError;
 use crate::random::Streams;
 
+mod balance;
+mod mixture;
+mod power;
+mod single_channel;
+
 /// Draws one distance for several channels, and the weight of each: of scattering there (albedo included), or of reaching
 /// the surface at the end of the ray.
 pub trait ChromaticSampler: Send + Sync {
@@ -42,10 +47,12 @@ pub trait ChromaticSampler: Send + Sync {
         Ok(())
     }
 }
-mod stub;
+
 crate::list::list! {
-    /// Stub.
+    /// Every chromatic sampler that a case can name.
     pub enum AnyChromatic: dyn ChromaticSampler {
-        stub::Stub,
+        balance::Balance,
+        power::Power,
+        single_channel::SingleChannel,
     }
 }

@@ -23,7 +23,7 @@ pub(crate) const TILE: usize = 256;
     schemars::JsonSchema,
 )]
 #[serde(try_from = "usize", into = "usize")]
-pub struct Steps(#[schemars(range(min = 1, max = 100_000_000))] usize);
+pub struct Steps(usize);
 
 impl Steps {
     /// So many steps.
@@ -79,7 +79,7 @@ impl Comb {
     #[inline(always)]
     pub(crate) fn at(&self, j: usize, v: f64) -> f64 {
         let t = self.h * (j as f64 + v);
-        if t < self.length { t } else { self.length }
+        if t > self.length { self.length } else { t } // NaN stays
     }
 
     /// Optical depth by the comb at the fractions that `v` gives, one call for each step in order.

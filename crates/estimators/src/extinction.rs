@@ -28,6 +28,17 @@ pub enum Cells {
     Curved,
 }
 
+impl std::fmt::Display for Cells {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Constant => "constant",
+            Self::Linear => "linear",
+            Self::Cubic => "cubic",
+            Self::Curved => "curved",
+        })
+    }
+}
+
 /// Extinction mu(t) along one ray, 0 <= t <= length: all that a subject may see.
 pub trait Extinction {
     /// The length of the ray segment, finite and positive.

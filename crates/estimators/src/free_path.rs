@@ -8,6 +8,10 @@ use crate::random::Streams;
 use crate::woodcock::one_by_one;
 
 pub(crate) mod delta_tracking;
+mod ray_marching;
+mod regular_tracking;
+
+pub use ray_marching::MarchingRule;
 
 /// One draw of a free path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,5 +73,7 @@ crate::list::list! {
     /// Every free-path sampler that a case can name.
     pub enum AnyFreePath: dyn FreePathSampler {
         delta_tracking::DeltaTracking,
+        ray_marching::RayMarching,
+        regular_tracking::RegularTracking,
     }
 }

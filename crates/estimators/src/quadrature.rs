@@ -89,19 +89,26 @@ impl Refine<'_> {
 
 /// Both rules on one panel.
 fn panel(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> Integral {
-    let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
-    let (mut kronrod, mut gauss) = (0.0, 0.0);
-    for (i, (&x, &w)) in NODES.iter().zip(&KRONROD).enumerate() {
-        let pair = if i == 7 { f(m) } else { f(m - h * x) + f(m + h * x) };
-        kronrod += w * pair;
-        if i % 2 == 1 {
-            gauss += GAUSS[i / 2] * pair;
-        }
+    let (mut kronrod, mut difference) = (0.0, 0.0);
+    for (x, by_kronrod, by_gauss) in points(a, b) {
+        let y = f(x);
+        kronrod += by_kronrod * y;
+        difference += (by_kronrod - by_gauss) * y;
     }
     Integral {
-        value: h * kronrod,
-        error: (h * (kronrod - gauss)).abs(),
+        value: kronrod,
+        error: difference.abs(),
     }
+}
+
+/// The 15 points of a panel, each with its weight in the Kronrod and in the Gauss rule.
+pub(crate) fn points(a: f64, b: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+    let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
+    (0..15).map(move |i: usize| {
+        let (k, side) = if i < 8 { (i, -h) } else { (14 - i, h) };
+        let gauss = if k % 2 == 1 { GAUSS[k / 2] } else { 0.0 };
+        (m + side * NODES[k], h * KRONROD[k], h * gauss)
+    })
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 /// v_j = 1/2 (midpoint); one uniform for all j (comb); one uniform each (stratified)
 /// ```
 ///
-/// Target: E[X], with a bias of order h^2 (midpoint, comb) or h^3 (stratified) in a smooth medium.
+/// Target: the mean of X, with a bias of order h^2 (midpoint, comb) or h^3 (stratified) in a smooth medium.
 /// Range:  (0, 1].
 /// Cost:   `steps` look-ups exactly; a block of midpoints, which are all the same, is marched once.
 /// Needs:  `mu`.
@@ -29,6 +29,7 @@ pub struct RayMarching {
     /// Where in its step each point lies.
     pub rule: MarchingRule,
     /// How many steps, 1 to 1e8.
+    #[schemars(range(min = 1, max = 100_000_000))]
     pub steps: Steps,
 }
 
