@@ -32,7 +32,7 @@ pub(crate) fn check(rounds: usize) -> Result<bool, Box<dyn std::error::Error>> {
         return Ok(true);
     }
     simd::limit(Isa::Avx2);
-    let gain = delta("gaussian", rounds, &scenes::gaussian()?, &scalar::Gaussian).gain();
+    let gain = delta(rounds, &scenes::gaussian()?, &scalar::Gaussian).gain();
     let [baseline, avx2, _] = floors(rounds);
     println!("delta gaussian, AVX2: scalar / tile {gain:.2} (at least {LEAST_GAIN})");
     println!(

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo bench                 the table, on the instruction set in use (FREEPATH_ISA)
+//! cargo bench -- voxels       the rows whose name contains a word
 //! cargo bench -- --full       the same, and the peak memory at 1e9 draws
 //! cargo bench -- --check      exits with 1 if the hot loops no longer vectorise
 //! ```
@@ -36,13 +37,22 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         judging::peak(draws.parse()?)?;
         return Ok(ExitCode::SUCCESS);
     }
+    let name = arguments
+        .iter()
+        .skip(1)
+        .find(|argument| !argument.starts_with("--"));
+    if let Some(name) = name {
+        machine()?;
+        table::print(ROUNDS, name)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     all(given("--full").is_some())?;
     Ok(ExitCode::SUCCESS)
 }
 
 fn all(full: bool) -> Result<(), Box<dyn std::error::Error>> {
     machine()?;
-    table::print(ROUNDS)?;
+    table::print(ROUNDS, "")?;
     judging::print(ROUNDS)?;
     let [baseline, avx2, avx512] = check::floors(ROUNDS);
     println!("floor, ns per step: baseline {baseline:.2}, AVX2 {avx2:.2}, AVX-512 {avx512:.2}");

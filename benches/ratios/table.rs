@@ -3,14 +3,30 @@
 use crate::clock::{Contender, alternate};
 use crate::scalar::{self, Plain};
 use crate::{floor, scenes};
+use freepath_estimators::chromatic::Balance;
+use freepath_estimators::claims::Channel;
 use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::medium::Constant;
 use freepath_estimators::transmittance::RatioTracking;
-use freepath_estimators::{Draws, Extinction, FreePathSampler, Key, Streams, TransmittanceEstimator};
+use freepath_estimators::{
+    ChromaticSampler, Draws, Extinction, FreePathSampler, Key, Streams, TransmittanceEstimator,
+};
 use freepath_harness::subject::BLOCK;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::hint::black_box;
 
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
+
+/// The rows of the table.
+const NAMES: [&str; 7] = [
+    "delta gaussian",
+    "delta sinusoid",
+    "delta voxels",
+    "ratio gaussian",
+    "ratio sinusoid",
+    "ratio voxels",
+    "chromatic balance",
+];
 
 pub(crate) fn key(block: u64) -> Key {
     Key {
@@ -22,7 +38,6 @@ pub(crate) fn key(block: u64) -> Key {
 
 /// Nanoseconds per draw.
 pub(crate) struct Row {
-    pub(crate) name: String,
     pub(crate) tile: f64,
     pub(crate) scalar: f64,
     pub(crate) floor: f64,
@@ -30,11 +45,10 @@ pub(crate) struct Row {
 
 impl Row {
     /// `flights` is how many steps one draw takes: the floor is given per step.
-    fn measure(name: &str, rounds: usize, flights: f64, tile: Contender, scalar: Contender) -> Self {
+    fn measure(rounds: usize, flights: f64, tile: Contender, scalar: Contender) -> Self {
         let floor: Contender = Box::new(|block| floor::floor(key(block), BLOCK));
         let [tile, scalar, floor] = alternate(rounds, [tile, scalar, floor]).map(|ns| ns / BLOCK as f64);
         Self {
-            name: name.into(),
             tile,
             scalar,
             floor: floor * flights,
@@ -45,13 +59,8 @@ impl Row {
         self.scalar / self.tile
     }
 
-    fn print(&self) {
-        let Self {
-            name,
-            tile,
-            scalar,
-            floor,
-        } = self;
+    fn print(&self, name: &str) {
+        let Self { tile, scalar, floor } = self;
         println!(
             "{name:<18} {tile:>9.2} {scalar:>9.2} {:>13.2} {floor:>9.2} {:>13.2}",
             self.gain(),
@@ -78,7 +87,7 @@ fn hand_written<'a, M: Plain>(
     })
 }
 
-pub(crate) fn delta(name: &str, rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
+pub(crate) fn delta(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
     let sampler = DeltaTracking::default();
     let mut counted = Draws::new(BLOCK).with_t().with_collisions();
     sampler.sample_block(medium, &Streams::new(key(0)), &mut counted);
@@ -88,7 +97,6 @@ pub(crate) fn delta(name: &str, rounds: usize, medium: &dyn Extinction, plain: &
         black_box(&draws);
     });
     Row::measure(
-        &format!("delta {name}"),
         rounds,
         flights(&counted),
         tile,
@@ -96,7 +104,7 @@ pub(crate) fn delta(name: &str, rounds: usize, medium: &dyn Extinction, plain: &
     )
 }
 
-fn ratio(name: &str, rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
+fn ratio(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
     let estimator = RatioTracking::default();
     let mut counted = Draws::new(BLOCK).with_t().with_collisions();
     estimator.estimate_block(medium, &Streams::new(key(0)), &mut counted);
@@ -106,7 +114,6 @@ fn ratio(name: &str, rounds: usize, medium: &dyn Extinction, plain: &impl Plain)
         black_box(&draws);
     });
     Row::measure(
-        &format!("ratio {name}"),
         rounds,
         flights(&counted),
         tile,
@@ -114,19 +121,58 @@ fn ratio(name: &str, rounds: usize, medium: &dyn Extinction, plain: &impl Plain)
     )
 }
 
-/// Measures and prints every row.
-pub(crate) fn print(rounds: usize) -> Fallible<()> {
+fn chromatic(rounds: usize) -> Fallible<Row> {
+    let plain = scalar::Chromatic {
+        sigma_t: [0.5, 1.0, 2.0],
+        sigma_s: [0.4, 0.9, 1.2],
+        length: 2.0,
+    };
+    let mut channels = vec![];
+    for (sigma_t, sigma_s) in plain.sigma_t.into_iter().zip(plain.sigma_s) {
+        channels.push((Constant::new(sigma_t, plain.length)?, sigma_s / sigma_t));
+    }
+    let mut draws = Draws::new(BLOCK).with_t().with_channels(3);
+    let sampler = Balance::default();
+    let tile: Contender = Box::new(move |block| {
+        let seen: Vec<Channel> = channels
+            .iter()
+            .map(|(extinction, albedo)| Channel {
+                extinction,
+                albedo: *albedo,
+            })
+            .collect();
+        sampler.sample_block(&seen, &Streams::new(key(block)), &mut draws);
+        black_box(&draws);
+    });
+    let (mut t, mut weights) = (vec![0.0; BLOCK], [(); 3].map(|()| vec![0.0; BLOCK]));
+    let by_hand: Contender = Box::new(move |block| {
+        scalar::chromatic(&plain, &mut key(block).rng(), &mut t, &mut weights);
+        black_box((&t, &weights));
+    });
+    Ok(Row::measure(rounds, 1.0, tile, by_hand))
+}
+
+/// Measures and prints the rows whose name contains `only`.
+pub(crate) fn print(rounds: usize, only: &str) -> Fallible<()> {
     let (gaussian, sinusoid) = (scenes::gaussian()?, scenes::sinusoid()?);
     let (voxels, plain) = scenes::voxels()?;
     println!(
         "{:<18} {:>9} {:>9} {:>13} {:>9} {:>13}",
         "ns per draw", "tile", "scalar", "scalar / tile", "floor", "tile / floor"
     );
-    delta("gaussian", rounds, &gaussian, &scalar::Gaussian).print();
-    delta("sinusoid", rounds, &sinusoid, &scalar::Sinusoid).print();
-    delta("voxels", rounds, &voxels, &plain).print();
-    ratio("gaussian", rounds, &gaussian, &scalar::Gaussian).print();
-    ratio("sinusoid", rounds, &sinusoid, &scalar::Sinusoid).print();
-    ratio("voxels", rounds, &voxels, &plain).print();
+    let rows: [&dyn Fn() -> Fallible<Row>; 7] = [
+        &|| Ok(delta(rounds, &gaussian, &scalar::Gaussian)),
+        &|| Ok(delta(rounds, &sinusoid, &scalar::Sinusoid)),
+        &|| Ok(delta(rounds, &voxels, &plain)),
+        &|| Ok(ratio(rounds, &gaussian, &scalar::Gaussian)),
+        &|| Ok(ratio(rounds, &sinusoid, &scalar::Sinusoid)),
+        &|| Ok(ratio(rounds, &voxels, &plain)),
+        &|| chromatic(rounds),
+    ];
+    for (row, name) in rows.iter().zip(NAMES) {
+        if name.contains(only) {
+            row()?.print(name);
+        }
+    }
     Ok(())
 }
