@@ -78,12 +78,12 @@ impl<'a> Audited<'a> {
 
 #[inline(always)]
 fn outside(t: f64, length: f64) -> u64 {
-    u64::from(!(t >= 0.0 && t <= length))
+    u64::from(!((t >= 0.0) & (t <= length))) // no &&: it would be a branch for each look-up
 }
 
 #[inline(always)]
 fn above(mu: f64, bound: f64) -> u64 {
-    u64::from(!(mu >= 0.0 && mu <= bound))
+    u64::from(!((mu >= 0.0) & (mu <= bound)))
 }
 
 impl Extinction for Audited<'_> {
