@@ -11,6 +11,8 @@ use crate::simd;
 const TILE: usize = 256;
 const ROWS: usize = TILE / LANES;
 type Rows<T> = [[T; LANES]; ROWS];
+/// One bit for each slot, in words as wide as the numbers that set them: no narrowing in the vector loops.
+type Set = [u64; ROWS];
 
 /// As many walks as `out` has rows, a tile at a time: the law of [`super::walk`], other draws.
 pub fn walks<R: CollisionRule>(
@@ -131,11 +133,11 @@ impl<S: Copy> Tile<S> {
 
 /// Calls `event` for each set slot below `len`, last first, so that slots may be removed on the way.
 #[inline(always)]
-fn for_each_set(set: &[u32; ROWS], len: usize, mut event: impl FnMut(usize)) {
+fn for_each_set(set: &Set, len: usize, mut event: impl FnMut(usize)) {
     for r in (0..len.div_ceil(LANES)).rev() {
         let above = (r + 1) * LANES;
         let absent = above.saturating_sub(len);
-        let mut bits = set[r] & (u32::MAX >> absent);
+        let mut bits = set[r] & (u64::from(u32::MAX) >> absent);
         while bits != 0 {
             let top = bits.ilog2();
             bits ^= 1 << top;
@@ -182,7 +184,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
     /// Moves every walk to its next tentative collision; those that leave the ray are written and dropped.
     #[inline(always)]
     fn fly(&mut self, tile: &mut Tile<R::State>, pass: u32, out: &mut Draws) {
-        let (mut u, mut set) = ([0.0; LANES], [0; ROWS]);
+        let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for (r, set) in set.iter_mut().enumerate().take(tile.rows()) {
             self.uniforms.fill(&mut u);
             let (t, mfp, end) = (&mut tile.t[r], &tile.mfp[r], &tile.end[r]);
@@ -237,7 +239,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
         started: &mut usize,
         out: &mut Draws,
     ) {
-        let (mut u, mut set) = ([0.0; LANES], [0; ROWS]);
+        let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for r in 0..tile.rows() {
             if R::DRAWS {
                 self.uniforms.fill(&mut u);
