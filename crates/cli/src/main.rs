@@ -1,2 +1,35 @@
-//! The command line.
-fn main() {}
+//! The command line: `freepath run`, and what goes with it.
+
+mod args;
+mod cases;
+mod cmd;
+mod files;
+mod filter;
+mod number;
+mod progress;
+mod reference;
+mod screen;
+mod table;
+mod trouble;
+
+use args::{Command, Verb};
+use clap::Parser;
+use std::io::{Write, stderr};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let Command { verb, color } = Command::parse();
+    let done = match &verb {
+        Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Schema => cmd::schema::schema(),
+        Verb::List(args) => cmd::list::list(args),
+        Verb::Describe(args) => cmd::describe::describe(args),
+        Verb::Report(args) => cmd::report::report(args),
+    };
+    let code = done.unwrap_or_else(|trouble| {
+        // If standard error is gone, there is nobody to tell.
+        drop(writeln!(stderr(), "{}", trouble.message()));
+        trouble.code()
+    });
+    ExitCode::from(code)
+}

@@ -9,7 +9,12 @@ macro_rules! list {
         #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
         #[serde(rename_all = "snake_case")]
         pub enum $List {
-            $(#[doc = concat!("See [`", stringify!($Type), "`].")] $Type($Type),)*
+            $(
+                #[doc = concat!("See [`", stringify!($Type), "`].")]
+                // The schema refers to the type, whose own words are the ones to show.
+                #[schemars(description = "")]
+                $Type($Type),
+            )*
         }
 
         impl $List {

@@ -40,8 +40,7 @@ impl Majorants {
             }
         };
         let ends: Vec<f64> = (0..segments).map(end).collect();
-        let bar = |start: f64, end: f64| medium.extrema(start, end).1;
-        let mu_bar = spans(&ends).map(|(start, end)| bar(start, end)).collect();
+        let mu_bar = spans(&ends).map(|span| greatest(medium, span)).collect();
         Self {
             ends,
             mu_bar,
@@ -189,14 +188,35 @@ impl Majorants {
         }
     }
 
+    /// The same, with each bound raised to the greatest mu of `medium` where that exceeds it.
+    #[must_use]
+    pub(crate) fn raised(mut self, medium: &dyn Medium) -> Self {
+        for (k, span) in spans(&self.ends.clone()).enumerate() {
+            let greatest = greatest(medium, span);
+            if greatest > self.mu_bar[k] {
+                self.mu_bar[k] = greatest;
+            }
+        }
+        self
+    }
+
     /// The first segment in which `medium` exceeds its bound by more than rounding, as (segment, bound, greatest mu).
     #[must_use]
     pub fn shortfall(&self, medium: &dyn Medium) -> Option<(usize, f64, f64)> {
-        let greatest = |(start, end): (f64, f64)| medium.extrema(start, end).1;
         let checked = self.segments().zip(&self.mu_bar).enumerate();
-        let mut all = checked.map(|(k, (span, &bound))| (k, bound, greatest(span)));
+        let mut all = checked.map(|(k, (span, &bound))| (k, bound, greatest(medium, span)));
         all.find(|&(_, bound, greatest)| !(greatest <= bound * (1.0 + 1e-12)))
     }
+}
+
+/// The greatest mu of a segment, which does not hold its own end: a jump there belongs to the next.
+fn greatest(medium: &dyn Medium, (start, end): (f64, f64)) -> f64 {
+    let end = if end < medium.length() {
+        end.next_down()
+    } else {
+        end
+    };
+    medium.extrema(start, end).1
 }
 
 /// Start and end of each segment, from the ends.

@@ -2,21 +2,27 @@
 
 use std::fmt;
 
-/// A parameter that was refused: which, what it was, and what it must be.
+/// A parameter that was refused: which, and why.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterError {
     name: &'static str,
-    value: String,
-    must_be: String,
+    why: String,
 }
 
 impl ParameterError {
     /// `name` was `value` and must be `must_be` (a phrase such as "finite and positive").
-    pub fn new(name: &'static str, value: impl fmt::Display, must_be: impl Into<String>) -> Self {
+    pub fn new(name: &'static str, value: impl fmt::Display, must_be: impl fmt::Display) -> Self {
         Self {
             name,
-            value: value.to_string(),
-            must_be: must_be.into(),
+            why: format!(" must be {must_be}, not {value}"),
+        }
+    }
+
+    /// What `name` names cannot be used, for a reason that is a sentence of its own.
+    pub fn unusable(name: &'static str, why: impl fmt::Display) -> Self {
+        Self {
+            name,
+            why: format!(": {why}"),
         }
     }
 
@@ -29,7 +35,7 @@ impl ParameterError {
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} must be {}, not {}", self.name, self.must_be, self.value)
+        write!(f, "{}{}", self.name, self.why)
     }
 }
 

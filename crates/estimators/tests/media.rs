@@ -1,5 +1,6 @@
 //! Every medium and wrapper against quadrature, scans and the laws that tie them together.
 
+mod laws;
 mod zoo;
 
 use freepath_estimators::medium::{AnyMedium, numeric};

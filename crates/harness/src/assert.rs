@@ -13,7 +13,7 @@ use std::panic::Location;
 use std::sync::atomic::AtomicBool;
 
 /// Draws of each route in stage 1: few enough for a build without optimisation.
-const DRAWS: u64 = 1 << 16;
+const DRAWS: u64 = 1 << 17;
 
 /// Panics unless `sampler` draws free paths of `medium`: by its block method and by its scalar one, over escapes,
 /// distances, ties, order, look-ups and majorant.

@@ -5,18 +5,23 @@ use crate::fault::Expectation;
 use freepath_estimators::MajorantChoice;
 use freepath_estimators::medium::AnyMedium;
 use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
+mod check;
 mod error;
 mod faults;
+mod fit;
+mod name;
 mod prepare;
 mod subject;
 mod surroundings;
 
 pub use error::CaseError;
 pub use faults::Faults;
-pub use prepare::{Expected, Limits, Prepared, PreparedSubject, World, hash};
+pub use name::hash;
+pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use subject::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.
@@ -41,21 +46,26 @@ pub struct Case {
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rays: Vec<Ray>,
     /// What is tested.
+    #[schemars(length(min = 1))]
     pub subjects: Vec<Subject>,
     /// Draws of stage 1 (default 1,000,000), rounded up to whole blocks of 16,384.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 1, max = MOST_DRAWS))]
     pub draws: Option<u64>,
     /// Draws at which growth towards `bias_bound` ends (default 64 times `draws`).
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 1, max = MOST_DRAWS))]
     pub budget: Option<u64>,
     /// A pass is inconclusive until the bias is bounded so far.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bias_bound: Option<BiasBound>,
     /// Subjects may be off by so much in every claim.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 0, max = 1))]
     pub tolerance: Option<f64>,
     /// Bits of the subjects' uniforms (default 52), for the test of ties.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 8, max = 53))]
     pub resolution_bits: Option<u32>,
 }
 
@@ -82,6 +92,7 @@ pub enum BiasBound {
 /// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["free_path"]}, {"required": ["transmittance"]}, {"required": ["chromatic"]}]))]
 pub struct Subject {
     /// A free-path sampler.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -100,18 +111,22 @@ pub struct Subject {
     pub majorant: Option<MajorantChoice>,
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 1, max = MOST_DRAWS))]
     pub draws: Option<u64>,
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 1, max = MOST_DRAWS))]
     pub budget: Option<u64>,
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bias_bound: Option<BiasBound>,
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 0, max = 1))]
     pub tolerance: Option<f64>,
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 8, max = 53))]
     pub resolution_bits: Option<u32>,
     /// The verdict that is as it should be (default: computed from the claims).
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -136,6 +151,13 @@ pub enum Claim {
     Lookups,
     /// That draws are independent.
     Independent,
+}
+
+/// The JSON schema of a case (draft 2020-12).
+#[must_use]
+pub fn schema() -> serde_json::Value {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    generator.into_root_schema_for::<Case>().to_value()
 }
 
 /// A case with the file that it came from.

@@ -1,6 +1,6 @@
 //! From evidence to verdicts, over the whole run at one family-wise error.
 
-use crate::evidence::holm;
+use crate::evidence::{Evidence, holm};
 use crate::judge::Judged;
 use crate::verdict::{Reason, Verdict};
 
@@ -73,19 +73,29 @@ impl Stage<'_> {
             .iter()
             .zip(self.adjusted)
             .filter(|(_, adjusted)| rejects(**adjusted));
-        let sentence = |p: f64, adjusted: f64| format!("p = {p:.2e}, {adjusted:.2e} after Holm");
-        let note = rejected.map(|(evidence, adjusted)| {
-            let numbers = sentence(evidence.p.unwrap_or(0.0), adjusted.unwrap_or(0.0));
-            (
-                evidence.reason,
-                format!(
-                    "{} rejects: {numbers} (statistic {:.4})",
-                    evidence.name, evidence.statistic
-                ),
-            )
-        });
+        let note = rejected
+            .map(|(evidence, adjusted)| (evidence.reason, sentence(evidence, adjusted.unwrap_or(0.0))));
         note.collect()
     }
+}
+
+/// What a test rejected, by how much, with which p-value.
+fn sentence(evidence: &Evidence, adjusted: f64) -> String {
+    let Evidence {
+        name,
+        statistic,
+        note,
+        ..
+    } = evidence;
+    let what = if note.is_empty() {
+        format!("statistic {statistic:.4}")
+    } else {
+        format!("{note}; statistic {statistic:.4}")
+    };
+    format!(
+        "{name} rejects with p = {:.2e}, {adjusted:.2e} after Holm ({what})",
+        evidence.p.unwrap_or(0.0)
+    )
 }
 
 /// Facts fail at once; a rejection fails if both stages make one; what is left open is inconclusive.
@@ -130,7 +140,6 @@ fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::Evidence;
 
     fn judged(p: &[f64]) -> Judged {
         let evidence = p

@@ -108,8 +108,8 @@ impl Judged {
             self.evidence
                 .push(test::ties(&seen.counts.ties, cells.collided(), pair));
         }
-        if let Some(scores) = &plan.scores {
-            self.evidence.push(test::lag(scores, &seen.counts.lag));
+        if plan.scores.is_some() {
+            self.evidence.push(test::lag(&seen.counts.lag));
         }
     }
 
@@ -173,7 +173,7 @@ impl Judged {
         let (expected, bound) = (claim.expected, interval.bound());
         let error = (sums.variance() / sums.n as f64).sqrt();
         let known = claim.variance.map_or(0.0, |v| (v / sums.n as f64).sqrt());
-        let rare = !(error <= 0.1 * expected && known <= 0.1 * expected);
+        let rare = !(error <= 0.05 * expected && known <= 0.05 * expected); // fewer than 400 draws' worth
         if evidence.p.is_none() {
             let reason = if rare {
                 Reason::RareEvent

@@ -65,6 +65,9 @@ impl Plan {
             _ => Self::nothing(),
         };
         plan.bounded &= subject.claims(Claim::Bounded);
+        if subject.one_by_one() && plan.mean.is_some() {
+            plan.poisson = None; // `estimate` tells no collisions
+        }
         if !subject.claims(Claim::Lookups) {
             (plan.lookups, plan.poisson) = (None, None);
         }

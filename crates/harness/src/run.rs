@@ -8,7 +8,7 @@ use crate::judge::{Judged, judge};
 use crate::plan::Plan;
 use crate::real::Real;
 use crate::results::{Results, SCHEMA_VERSION, SubjectTiming};
-use crate::subject::Subject;
+use crate::subject::{BLOCK, Subject};
 use crate::verdict::{Reason, Verdict};
 use std::sync::atomic::AtomicBool;
 
@@ -19,6 +19,7 @@ mod series;
 mod subjects;
 
 pub use expect::expected;
+pub use subjects::{id, quoted};
 
 /// What a run needs to know beside its cases.
 pub struct Options<'a> {
@@ -26,10 +27,19 @@ pub struct Options<'a> {
     pub seed: u64,
     /// Set to cancel.
     pub cancelled: &'a AtomicBool,
-    /// Told of the draws done, and the subject that is being run.
-    pub progress: &'a (dyn Fn(u64, &str) + Sync),
-    /// The command that gives these results again, without filter.
+    /// Told of progress, and of the subject that is being run.
+    pub progress: &'a (dyn Fn(Progress, &str) + Sync),
+    /// The command that gives these results again, without filter; its flags begin with `--seed`.
     pub repro: String,
+}
+
+/// How a run goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// So many more draws are to come: of stage 1 first, then of each doubling, and of stage 2.
+    Planned(u64),
+    /// So many more draws are done.
+    Done(u64),
 }
 
 /// The results, and what depends on the clock.
@@ -67,15 +77,22 @@ struct Stage1 {
 /// If the run is cancelled.
 pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> {
     let mut trials = Vec::new();
+    plan_stage_one(cases, options);
     for case in cases {
         for prepared in &case.subjects {
             trials.push(stage_one(case, prepared, options)?);
         }
     }
-    for trial in &mut trials {
-        if suspect(&trial.first.judged) {
-            stage_two(trial, options)?;
-        }
+    let mut suspects: Vec<_> = trials
+        .iter_mut()
+        .filter(|trial| suspect(&trial.first.judged))
+        .collect();
+    for trial in &suspects {
+        let draws = 2 * whole(trial.subject.draws);
+        (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+    }
+    for trial in &mut suspects {
+        stage_two(trial, options)?;
     }
     let first = adjust(trials.iter().map(|trial| Some(&trial.first.judged)));
     let second = adjust(
@@ -87,8 +104,15 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     Ok(outcome(cases, &trials, &adjusted, options))
 }
 
-fn progress(options: &Options, name: &str, draws: u64) {
-    (options.progress)(draws, name);
+fn plan_stage_one(cases: &[Prepared], options: &Options) {
+    for prepared in cases.iter().flat_map(|case| &case.subjects) {
+        (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+    }
+}
+
+/// Draws in whole blocks.
+fn whole(draws: u64) -> u64 {
+    Subject::blocks(draws) * BLOCK as u64
 }
 
 fn stage_one<'a>(
@@ -98,30 +122,13 @@ fn stage_one<'a>(
 ) -> Result<Trial<'a>, Cancelled> {
     let subject = prepared.runnable(&case.world, &case.case);
     let plan = Plan::of(&subject);
-    let tell = |draws| progress(options, &prepared.name, draws);
+    let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
     let watch = Watch {
         cancelled: options.cancelled,
         progress: &tell,
     };
-    let blocks = Subject::blocks(subject.draws);
-    let mut seconds = 0.0;
-    let first = match collect(&subject, &plan, options.seed, 0..blocks, &watch) {
-        Ok(collected) => {
-            seconds = collected.seconds;
-            let mut judged = judge(&subject, &plan, &collected);
-            grow::towards_bound(&subject, &plan, &collected, &mut judged, options.seed, &watch)?;
-            Stage1 {
-                judged,
-                collected: Some(collected),
-            }
-        }
-        Err(Stopped::Cancelled) => return Err(Cancelled),
-        Err(Stopped::Subject(why)) => Stage1 {
-            judged: broken(why),
-            collected: None,
-        },
-    };
+    let (first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
     Ok(Trial {
         case,
         prepared,
@@ -133,6 +140,36 @@ fn stage_one<'a>(
     })
 }
 
+/// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
+fn first_stage(
+    subject: &Subject,
+    plan: &Plan,
+    options: &Options,
+    watch: &Watch,
+    name: &str,
+) -> Result<(Stage1, f64), Cancelled> {
+    let blocks = Subject::blocks(subject.draws);
+    let collected = match collect(subject, plan, options.seed, 0..blocks, watch) {
+        Ok(collected) => collected,
+        Err(Stopped::Cancelled) => return Err(Cancelled),
+        Err(Stopped::Subject(why)) => {
+            let judged = broken(why);
+            let collected = None;
+            return Ok((Stage1 { judged, collected }, 0.0));
+        }
+    };
+    let mut judged = judge(subject, plan, &collected);
+    let growth = grow::Growth {
+        seed: options.seed,
+        watch,
+        planned: &|draws| (options.progress)(Progress::Planned(draws), name),
+    };
+    growth.towards_bound(subject, plan, &collected, &mut judged)?;
+    let seconds = collected.seconds;
+    let collected = Some(collected);
+    Ok((Stage1 { judged, collected }, seconds))
+}
+
 fn broken(why: String) -> Judged {
     Judged {
         facts: vec![(Reason::SubjectError, why)],
@@ -142,7 +179,7 @@ fn broken(why: String) -> Judged {
 
 /// Fresh streams, twice as many, and all tests again.
 fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
-    let tell = |draws| progress(options, &trial.prepared.name, draws);
+    let tell = |draws| (options.progress)(Progress::Done(draws), &trial.prepared.name);
     let watch = Watch {
         cancelled: options.cancelled,
         progress: &tell,

@@ -1,7 +1,7 @@
 //! One block of draws: the subject is run behind its faults and the audit, and nothing that it does gets out.
 
 use crate::audit::{Audit, Audited};
-use crate::fault::{BlockPlace, Faulty, lay_over_draws, needs_scalar};
+use crate::fault::{BlockPlace, Faulty, lay_over_draws};
 use crate::subject::{BUDGET_PER_DRAW, Route, Scene, Subject, Work};
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
@@ -93,7 +93,7 @@ fn grey(
         block(subject.work, truth, &audited, streams, draws);
     } else {
         let faulty = Faulty::new(&audited, subject.faults);
-        if needs_scalar(subject.faults) || subject.route == Route::Scalar {
+        if subject.one_by_one() {
             one_by_one(subject.work, truth, &faulty, streams, draws);
         } else {
             block(subject.work, truth, &faulty, streams, draws);

@@ -1,4 +1,4 @@
-use crate::extinction::{Cells, Extinction, Medium};
+use crate::extinction::{Cells, Extinction, Medium, invert};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
 
@@ -78,8 +78,11 @@ impl Medium for Constant {
         self.parameters.mu * t
     }
     fn inverse_tau(&self, depth: f64) -> f64 {
-        let t = depth / self.parameters.mu;
-        if t < self.length() { t } else { f64::INFINITY }
+        let (mu, length) = (self.parameters.mu, self.parameters.length);
+        invert(depth, self.tau(length), || {
+            let t = depth / mu;
+            if t < length { t } else { length }
+        })
     }
     fn extrema(&self, _a: f64, _b: f64) -> (f64, f64) {
         (self.parameters.mu, self.parameters.mu)

@@ -127,6 +127,7 @@ mod tests {
         assert!((falling.mu(0.5) - 1.103_638_323_514_327).abs() < 1e-15);
         assert!((falling.tau(2.0) - 1.5 * (1.0 - 0.018_315_638_888_734_18)).abs() < 1e-15);
         assert!((falling.inverse_tau(0.75) - 0.5 * std::f64::consts::LN_2).abs() < 1e-15);
+        assert!((falling.inverse_tau(3e-20) / 1e-20 - 1.0).abs() < 1e-15);
         assert_eq!(falling.majorants().mu_bar(), [3.0]);
     }
 

@@ -58,6 +58,12 @@ impl TryFrom<Parameters> for Gaussian {
         parameter::not_negative("peak", parameters.peak)?;
         parameter::finite("center", parameters.center)?;
         let per_width = 1.0 / parameter::positive("width", parameters.width)?;
+        parameter::require(
+            per_width.is_finite(),
+            "width",
+            parameters.width,
+            "a normal number",
+        )?;
         parameter::positive("length", parameters.length)?;
         parameter::not_negative("base", parameters.base)?;
         let unbounded = Self {

@@ -36,3 +36,16 @@ impl Ramp {
         if s < self.width { s } else { self.width }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_keeps_its_digits_at_any_scale() {
+        let ramp = |from, to| Ramp { from, to, width: 3.0 };
+        assert!((ramp(2.0, 1.0).inverse_tau(4e-20) / 2e-20 - 1.0).abs() < 1e-15);
+        assert!((ramp(1e-200, 2e-200).inverse_tau(2.0e-200) / 1.582_575_694_955_84 - 1.0).abs() < 1e-14);
+        assert_eq!(ramp(0.0, 1.0).inverse_tau(5e-324).to_bits(), 0);
+    }
+}

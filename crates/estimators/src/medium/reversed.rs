@@ -163,6 +163,14 @@ mod tests {
     }
 
     #[test]
+    fn a_mirrored_break_is_looked_up_on_the_far_side() {
+        for i in 1..10_000 {
+            let (length, s) = (f64::from(i) * 0.021 + 0.1, f64::from(i) * 0.013);
+            assert!(place(length, mirror(length, s)) < s, "{length} {s}");
+        }
+    }
+
+    #[test]
     fn every_look_up_obeys_the_bound_of_its_segment() {
         let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
         let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());

@@ -219,6 +219,15 @@ mod tests {
     }
 
     #[test]
+    fn a_shifted_break_is_never_looked_up_before_the_inner_one() {
+        let tie = (0.5 * f64::EPSILON, 1.0 + f64::EPSILON); // a half rounds to even, that is down
+        let many = (0..10_000).map(|i| (f64::from(i) * 0.013, f64::from(i) * 0.021 + 0.1));
+        for (from, s) in many.chain([tie]) {
+            assert!(from + shift(from, s) >= s, "{from} {s}");
+        }
+    }
+
+    #[test]
     fn a_part_beyond_the_medium_is_refused() {
         let medium = || AnyMedium::Linear(Linear::new(0.5, 2.0, 3.0).unwrap());
         let refusal = |from, to| Segment::new(from, to, medium()).unwrap_err().to_string();

@@ -32,7 +32,7 @@ pub(super) fn inside(points: impl Iterator<Item = f64>, length: f64) -> Vec<f64>
 }
 
 /// The bounds of an inner medium laid over `view`, as (end, bound) of each segment; minimum and mean are taken from the
-/// view.
+/// view, and a bound is raised where rounding puts the last look-up of a segment beyond a jump.
 pub(super) fn majorants(
     view: &dyn Medium,
     segments: impl Iterator<Item = (f64, f64)>,
@@ -47,5 +47,5 @@ pub(super) fn majorants(
             last = end;
         }
     }
-    Majorants::explicit(view, ends, mu_bar)
+    Majorants::explicit(view, ends, mu_bar).map(|majorants| majorants.raised(view))
 }

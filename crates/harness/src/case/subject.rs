@@ -41,7 +41,7 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Replay<A> {
 
 /// A list of the estimators with one name of the harness's own before it.
 macro_rules! with_own {
-    ($(#[$doc:meta])* $Subject:ident, $Own:ident = $own:literal, $List:ident, $what:literal) => {
+    ($(#[$doc:meta])* $Subject:ident, $Own:ident = $own:literal, $List:ident, $what:literal, $about:literal) => {
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq)]
         pub enum $Subject {
@@ -115,7 +115,9 @@ macro_rules! with_own {
                 let listed = generator.subschema_for::<$List>();
                 let own = json_schema!({
                     "type": "object",
-                    "properties": { ($own): { "type": "object", "additionalProperties": false } },
+                    "properties": {
+                        ($own): { "type": "object", "additionalProperties": false, "description": $about },
+                    },
                     "required": [$own],
                     "additionalProperties": false,
                 });
@@ -127,10 +129,17 @@ macro_rules! with_own {
 
 with_own!(
     /// A free-path sampler: `exact` inverts the optical depth.
-    FreePathSubject, Exact = "exact", AnyFreePath, "a free-path sampler, such as {\"delta_tracking\": {}}"
+    FreePathSubject, Exact = "exact", AnyFreePath, "a free-path sampler, such as {\"delta_tracking\": {}}",
+    "Inversion of the optical depth, from the truth: the positive control of the tests.\n\n\
+    ```text\nt = tau^-1(-ln(1 - u)), infinity beyond the end\n```\n\n\
+    Target: the free-path law.\nRange:  (0, length), or infinity for an escape; weight 1.\n\
+    Cost:   no look-up.\nNeeds:  the optical depth, which only the harness knows."
 );
 with_own!(
     /// A transmittance estimator: `closed_form` is exp(-tau).
     TransmittanceSubject, ClosedForm = "closed_form", AnyTransmittance,
-    "a transmittance estimator, such as {\"ratio_tracking\": {}}"
+    "a transmittance estimator, such as {\"ratio_tracking\": {}}",
+    "exp(-tau), from the truth, without noise: the positive control of the tests.\n\n\
+    Target: mean T, variance 0.\nRange:  T alone.\nCost:   no look-up.\n\
+    Needs:  the optical depth, which only the harness knows."
 );

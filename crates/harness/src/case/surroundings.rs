@@ -53,8 +53,8 @@ impl Surroundings for Place<'_> {
         if let Some(volume) = volumes.get(&path) {
             return Ok(volume.clone());
         }
-        let volume = crate::source::read_volume(&path)
-            .map_err(|why| ParameterError::new("file", format!("one of which {why}"), "a readable volume"))?;
+        let volume =
+            crate::source::read_volume(&path).map_err(|why| ParameterError::unusable("file", why))?;
         let volume = Arc::new(volume);
         volumes.insert(path, volume.clone());
         Ok(volume)

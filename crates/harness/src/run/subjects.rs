@@ -1,6 +1,6 @@
 //! The result of one subject.
 
-use super::{Options, Prepared, Trial, expected, series};
+use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
@@ -97,11 +97,12 @@ pub(super) fn result(
     }
 }
 
-/// File stem, kind and subject, and the ray: letters, digits, `-` and `_` only.
-fn id(case: &Prepared, prepared: &super::PreparedSubject) -> String {
-    let stem = std::path::Path::new(&case.file).with_extension("");
+/// A subject's address in the results: file, ray, kind and name, in letters, digits, `-` and `_` only.
+#[must_use]
+pub fn id(case: &Prepared, prepared: &PreparedSubject) -> String {
+    let file = case.file.strip_suffix(".json").unwrap_or(&case.file);
     let ray = case.ray.map(|ray| format!("-ray{ray}")).unwrap_or_default();
-    let text = format!("{}{ray}-{}-{}", stem.display(), prepared.kind(), prepared.name);
+    let text = format!("{file}{ray}-{}-{}", prepared.kind(), prepared.name);
     let plain = |c: char| {
         if c.is_ascii_alphanumeric() || c == '_' {
             c
@@ -116,11 +117,22 @@ fn id(case: &Prepared, prepared: &super::PreparedSubject) -> String {
         .to_string()
 }
 
+/// `text` as one word for a shell.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "_-./,:@%+=".contains(c);
+    if !text.is_empty() && text.chars().all(plain) {
+        return text.to_string();
+    }
+    format!("'{}'", text.replace('\'', r"'\''"))
+}
+
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let rest = options.repro.split_once(" -- ").map_or("", |(_, flags)| flags);
-    format!("freepath run \"{}\" --filter \"{id}\" {rest}", case.file)
-        .trim_end()
-        .to_string()
+    let flags = options
+        .repro
+        .rfind(" --seed ")
+        .map_or("", |at| &options.repro[at..]);
+    format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
 fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {

@@ -16,6 +16,7 @@ pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evid
     let null = nearest(share, atom, slack);
     let z = (share - atom) / (atom * (1.0 - atom) / n as f64).sqrt();
     Evidence::new("atom", z, None, binomial_two_sided(n, null, escapes), reason)
+        .noted(format!("{share:.6} of the draws escape, {atom:.6} should"))
 }
 
 /// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.

@@ -42,18 +42,16 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64) -> Evidence {
     let mean = seen.sum as f64 / blocks;
     let scatter = seen.squares * u128::from(seen.blocks) - seen.sum * seen.sum;
     let excess = mean - want;
-    if scatter == 0 && seen.blocks > 0 {
-        let exact = excess.abs() <= 1e-9 * want;
-        return Evidence::new(
-            "lookups",
-            excess,
-            None,
-            f64::from(u8::from(exact)),
-            Reason::WrongCost,
-        );
+    let exact = scatter == 0 && excess.abs() <= 1e-9 * (want + 1.0);
+    if exact {
+        return Evidence::new("lookups", excess, None, 1.0, Reason::WrongCost);
     }
+    // A few blocks may agree by chance, and one always agrees with itself.
     if seen.blocks < 20 {
         return Evidence::withheld("lookups", excess, Reason::WrongCost, "fewer than 20 blocks");
+    }
+    if scatter == 0 {
+        return Evidence::new("lookups", excess, None, 0.0, Reason::WrongCost);
     }
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
     let t = excess / (variance / blocks).sqrt();
@@ -80,9 +78,16 @@ mod tests {
     }
 
     #[test]
+    fn one_block_does_not_show_a_fixed_cost() {
+        let mut seen = BlockLookups::default();
+        seen.observe(8 * 16_384 + 1);
+        assert_eq!(lookups(&seen, 16_384, 8.0).p, None);
+    }
+
+    #[test]
     fn a_fixed_cost_is_compared_exactly() {
         let mut seen = BlockLookups::default();
-        (0..5).for_each(|_| seen.observe(8 * 16_384));
+        (0..20).for_each(|_| seen.observe(8 * 16_384));
         assert_eq!(lookups(&seen, 16_384, 8.0).p, Some(1.0));
         assert_eq!(lookups(&seen, 16_384, 7.0).p, Some(0.0));
     }

@@ -114,8 +114,18 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
         }
     };
     (
-        evidence.noted_if_empty(method.name()),
+        evidence.noted_if_empty(&words(sums, claim, method)),
         interval(sums, claim, method),
+    )
+}
+
+/// Mean, expectation and method in words.
+fn words(sums: &PowerSums, claim: &MeanClaim, method: Method) -> String {
+    let mean = sums.center + sums.bias();
+    format!(
+        "mean {mean:.6e}, {:.6e} expected; {}",
+        claim.expected,
+        method.name()
     )
 }
 
@@ -154,10 +164,8 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
         .variance
         .is_some_and(|v| v <= 1e-24 * claim.expected * claim.expected);
     let silent = claim.variance.is_none() && claim.range.is_none();
-    if sums.constant() && (deterministic || silent) {
-        return Method::Exact;
-    }
-    if deterministic && spread(sums) <= 1e-12 * claim.expected.abs() {
+    let still = spread(sums) <= 1e-12 * claim.expected.abs() && sums.least.abs() > 0.0;
+    if still || (sums.constant() && (deterministic || silent)) {
         return Method::Exact;
     }
     match (gate(skewness(sums, claim), sums.n as f64), claim.range) {

@@ -1,0 +1,109 @@
+//! What the command line takes.
+
+use crate::number;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Statistical verification of free-path samplers and transmittance estimators.
+#[derive(Debug, Parser)]
+#[command(name = "freepath", version, max_term_width = 100, after_help = EXIT_CODES)]
+pub(crate) struct Command {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+    /// When to use colour; the variables NO_COLOR and CLICOLOR_FORCE count for `auto`.
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    pub(crate) color: When,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 everything as expected, 1 something is not, 2 unusable input, 3 trouble while running, \
+                          4 something is inconclusive and nothing worse, 130 interrupted.";
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Run cases and write a report.
+    Run(Run),
+    /// List every name that a case can use, and every test and reason.
+    List(List),
+    /// Tell all about one name of the list.
+    Describe(Describe),
+    /// Print the JSON schema of a case.
+    Schema,
+    /// Write the report of results once more, without drawing.
+    Report(Report),
+}
+
+/// `freepath run`.
+#[derive(Args, Debug)]
+pub(crate) struct Run {
+    /// Case files, or folders of them, searched recursively for .json and .jsonc.
+    #[arg(value_name = "PATH", default_value = "cases")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// The seed of all random numbers.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Draws of every subject, whatever its case says; 1e6 may be written.
+    #[arg(long, value_name = "N", value_parser = number::draws, conflicts_with_all = ["quick", "thorough"])]
+    pub(crate) draws: Option<u64>,
+    /// A tenth of the draws.
+    #[arg(long, conflicts_with = "thorough")]
+    pub(crate) quick: bool,
+    /// Ten times the draws.
+    #[arg(long)]
+    pub(crate) thorough: bool,
+    /// Worker threads [default: one per CPU]; results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = number::jobs)]
+    pub(crate) jobs: Option<usize>,
+    /// The folder that the report is written to.
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub(crate) out: PathBuf,
+    /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// Print results.json instead of a line per subject.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Show no progress, and only the subjects that are not as expected.
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Let cases name files outside their own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+}
+
+/// `freepath list`.
+#[derive(Args, Debug)]
+pub(crate) struct List {
+    /// As JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `freepath describe`.
+#[derive(Args, Debug)]
+pub(crate) struct Describe {
+    /// A name of `freepath list`.
+    pub(crate) name: String,
+}
+
+/// `freepath report`.
+#[derive(Args, Debug)]
+pub(crate) struct Report {
+    /// The results.json of a run.
+    pub(crate) results: PathBuf,
+    /// The folder that the report is written to [default: that of the results].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// When to use colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum When {
+    /// On a terminal.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}

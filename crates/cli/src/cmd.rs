@@ -1,0 +1,7 @@
+//! One command per file. Each gives the exit code, or the trouble that it met.
+
+pub(crate) mod describe;
+pub(crate) mod list;
+pub(crate) mod report;
+pub(crate) mod run;
+pub(crate) mod schema;

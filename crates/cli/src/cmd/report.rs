@@ -1,0 +1,92 @@
+//! `freepath report`: what a run found, shown once more. The files may come from anywhere.
+
+use crate::args::Report;
+use crate::files;
+use crate::screen::{self, cell};
+use crate::trouble::Trouble;
+use freepath_harness::results::{Results, SCHEMA_VERSION, Timings};
+use serde::de::DeserializeOwned;
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::Path;
+
+/// The longest results.json that is read, in bytes.
+const MOST_BYTES: u64 = 256 << 20;
+
+/// Writes the report of the results beside them, or where it is told to.
+pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
+    let text = text(&args.results).map_err(Trouble::unusable)?;
+    let results = parsed(&args.results, &text).map_err(Trouble::unusable)?;
+    let folder = match args.results.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    // Timings that are missing or unreadable are left out: they add to a report and decide nothing.
+    let beside = self::text(&folder.join("timings.json")).unwrap_or_default();
+    let timings = serde_json::from_str(&beside).ok();
+    let out = args.out.as_deref().unwrap_or(folder);
+    files::open(out)?;
+    page(&results, &freepath_report::run_id(&text), timings.as_ref(), out)?;
+    screen::print(&format!("report: {}\n", out.join("index.html").display()))?;
+    Ok(0)
+}
+
+/// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
+pub(crate) fn page(
+    results: &Results,
+    run: &str,
+    timings: Option<&Timings>,
+    out: &Path,
+) -> Result<(), Trouble> {
+    let options = freepath_report::Options {
+        run: Some(run.to_string()),
+        ..Default::default()
+    };
+    options
+        .write(results, timings, out)
+        .map_err(|why| Trouble::Running(why.to_string()))
+}
+
+/// The text of a regular file of bounded length.
+fn text(path: &Path) -> Result<String, String> {
+    let cannot = |why: &dyn std::fmt::Display| format!("cannot read {}: {why}", path.display());
+    let about = fs::metadata(path).map_err(|why| cannot(&why))?;
+    if !about.is_file() {
+        return Err(cannot(&"it is not a regular file"));
+    }
+    let mut text = String::new();
+    let file = File::open(path).map_err(|why| cannot(&why))?;
+    file.take(MOST_BYTES + 1)
+        .read_to_string(&mut text)
+        .map_err(|why| cannot(&why))?;
+    match text.len() as u64 > MOST_BYTES {
+        true => Err(cannot(&format!("it has more than {MOST_BYTES} bytes"))),
+        false => Ok(text),
+    }
+}
+
+/// Results of the version that this program knows.
+fn parsed(path: &Path, text: &str) -> Result<Results, String> {
+    #[derive(serde::Deserialize)]
+    struct Version {
+        schema_version: u32,
+    }
+    let Version { schema_version } = from_json(path, text)?;
+    if schema_version != SCHEMA_VERSION {
+        return Err(format!(
+            "cannot read {}: its schema_version is {schema_version} (this program reads {SCHEMA_VERSION})",
+            path.display()
+        ));
+    }
+    from_json(path, text)
+}
+
+fn from_json<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, String> {
+    serde_json::from_str(text).map_err(|why| {
+        format!(
+            "cannot read {} as the results of a run: {}",
+            path.display(),
+            cell(&why.to_string(), 200)
+        )
+    })
+}

@@ -1,0 +1,40 @@
+//! Numbers of the command line.
+
+use freepath_harness::case::MOST_DRAWS;
+
+/// Most worker threads.
+const MOST_JOBS: usize = 1024;
+
+/// A number of draws: `1000000` or `1e6`.
+pub(crate) fn draws(text: &str) -> Result<u64, String> {
+    let must_be = || format!("must be a whole number from 1 to {MOST_DRAWS}, such as 1e6");
+    let whole = text.parse().ok().or_else(|| from_float(text));
+    whole.filter(|n| (1..=MOST_DRAWS).contains(n)).ok_or_else(must_be)
+}
+
+fn from_float(text: &str) -> Option<u64> {
+    let x: f64 = text.parse().ok()?;
+    let whole = x >= 1.0 && x <= MOST_DRAWS as f64 && x.fract() == 0.0;
+    whole.then_some(x as u64)
+}
+
+/// A number of threads.
+pub(crate) fn jobs(text: &str) -> Result<usize, String> {
+    let jobs = text.parse().ok().filter(|n| (1..=MOST_JOBS).contains(n));
+    jobs.ok_or_else(|| format!("must be a whole number from 1 to {MOST_JOBS}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn draws_are_whole_and_may_have_an_exponent() {
+        assert_eq!(draws("1e6"), Ok(1_000_000));
+        assert_eq!(draws("16384"), Ok(16_384));
+        assert_eq!(draws("2.5e3"), Ok(2_500));
+        for text in ["0", "-1", "0.5", "1e13", "nan", "inf", "", "many"] {
+            assert!(draws(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Every name that a case can use, and every test and reason, as the schema of a case and the lists of the harness tell.
+
+mod doc;
+mod example;
+mod fields;
+
+use doc::plain;
+pub(crate) use fields::Field;
+use fields::fields;
+use freepath_harness::case;
+use freepath_harness::test;
+use freepath_harness::verdict::Reason;
+use serde_json::Value;
+
+/// One name.
+#[derive(Debug)]
+pub(crate) struct Entry {
+    /// What it is a name of.
+    pub(crate) kind: &'static str,
+    /// As a case has it.
+    pub(crate) name: String,
+    /// All that is said of it.
+    pub(crate) words: String,
+    /// Its parameters.
+    pub(crate) fields: Vec<Field>,
+    /// How it stands in a case; empty if it does not.
+    pub(crate) example: String,
+}
+
+impl Entry {
+    /// The first sentence.
+    pub(crate) fn summary(&self) -> String {
+        doc::summary(&self.words)
+    }
+}
+
+/// The parts of a case whose names are in its schema: what they are called, and the definition.
+const IN_SCHEMA: &[(&str, &str)] = &[
+    ("free_path", "FreePathSubject"),
+    ("transmittance", "TransmittanceSubject"),
+    ("chromatic", "AnyChromatic"),
+    ("medium", "AnyMedium"),
+    ("majorant", "MajorantChoice"),
+    ("fault", "Fault"),
+    ("claim", "Claim"),
+];
+
+/// Every name, by kind.
+pub(crate) fn entries() -> Vec<Entry> {
+    let schema = case::schema();
+    let of_kind = |&(kind, definition): &(&'static str, &str)| {
+        let variants = variants(&schema, &schema["$defs"][definition]);
+        variants
+            .into_iter()
+            .map(move |(name, body, words)| (kind, name, body, words))
+    };
+    let known = IN_SCHEMA.iter().flat_map(of_kind);
+    let mut entries: Vec<Entry> = known
+        .map(|(kind, name, body, words)| {
+            let fields = fields(&schema, body);
+            Entry {
+                example: example::of(&schema, kind, name, body),
+                kind,
+                name: name.to_string(),
+                words: plain(words),
+                fields,
+            }
+        })
+        .collect();
+    entries.extend(tests());
+    entries.extend(reasons());
+    entries
+}
+
+fn tests() -> impl Iterator<Item = Entry> {
+    test::NAMES.iter().map(|(name, words)| Entry {
+        kind: "test",
+        name: (*name).to_string(),
+        words: plain(words),
+        fields: Vec::new(),
+        example: String::new(),
+    })
+}
+
+fn reasons() -> impl Iterator<Item = Entry> {
+    Reason::ALL.iter().map(|reason| Entry {
+        kind: "reason",
+        name: reason.code().to_string(),
+        words: sentence(reason.words()),
+        fields: Vec::new(),
+        example: format!("\"expect\": {{ \"fail\": \"{reason}\" }}"),
+    })
+}
+
+/// `words` with a capital and a full stop.
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(|c| c.to_ascii_uppercase());
+    first.into_iter().chain(letters).chain(['.']).collect()
+}
+
+/// What a `$ref` refers to.
+fn resolve<'a>(schema: &'a Value, node: &'a Value) -> &'a Value {
+    let target = node["$ref"].as_str().and_then(|to| to.strip_prefix('#'));
+    target.and_then(|to| schema.pointer(to)).unwrap_or(node)
+}
+
+/// The names that an enum allows, with the schema of what follows the name, and the words.
+fn variants<'a>(schema: &'a Value, node: &'a Value) -> Vec<(&'a str, &'a Value, &'a str)> {
+    let node = resolve(schema, node);
+    let words = |node: &'a Value| node["description"].as_str().unwrap_or("");
+    if let Some(choices) = node["oneOf"].as_array().or_else(|| node["anyOf"].as_array()) {
+        return choices
+            .iter()
+            .flat_map(|choice| variants(schema, choice))
+            .collect();
+    }
+    if let Some(name) = node["const"].as_str() {
+        return vec![(name, &Value::Null, words(node))];
+    }
+    if let Some(names) = node["enum"].as_array() {
+        let names = names.iter().filter_map(Value::as_str);
+        return names.map(|name| (name, &Value::Null, "")).collect();
+    }
+    let Some((name, body)) = node["properties"].as_object().and_then(|all| all.iter().next()) else {
+        return Vec::new();
+    };
+    let body = resolve(schema, body);
+    let own = words(node);
+    vec![(name, body, if own.is_empty() { words(body) } else { own })]
+}

@@ -1,0 +1,101 @@
+//! How a name stands in a case: required parameters only.
+
+use super::{resolve, variants};
+use serde_json::{Map, Value, json};
+
+/// A line of a case that uses `name`; empty for a claim, which is withdrawn in a list.
+pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String {
+    let used = match body {
+        Value::Null => json!(name),
+        _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
+        body => json!({ name: value(schema, name, body) }),
+    };
+    match kind {
+        "free_path" | "transmittance" | "chromatic" => spaced(&json!({ kind: used })),
+        "claim" => format!("\"without\": [\"{name}\"]"),
+        _ => format!("\"{kind}\": {}", spaced(&used)),
+    }
+}
+
+/// A value for what `node` describes, by its name where the name is known, else by its type.
+fn value(schema: &Value, name: &str, node: &Value) -> Value {
+    if node["$ref"] == "#/$defs/AnyMedium" {
+        return json!({ "gaussian": { "peak": 4.0, "center": 0.9, "width": 0.25, "length": 2.0 } });
+    }
+    let node = resolve(schema, node);
+    if let Some(properties) = node["properties"].as_object() {
+        let required = node["required"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_str);
+        let fields = required.map(|field| (field.to_string(), value(schema, field, &properties[field])));
+        return Value::Object(fields.collect::<Map<_, _>>());
+    }
+    if let Some((first, body, _)) = variants(schema, node).into_iter().next() {
+        return if body.is_null() {
+            json!(first)
+        } else {
+            json!({ first: value(schema, first, body) })
+        };
+    }
+    by_name(name).unwrap_or_else(|| by_type(node))
+}
+
+fn by_type(node: &Value) -> Value {
+    match node["type"].as_str() {
+        Some("integer") => json!(8),
+        Some("number") => json!(0.5),
+        Some("string") => json!("text"),
+        Some("array") => json!([0.5]),
+        _ => json!({}),
+    }
+}
+
+/// Values that suit one another.
+fn by_name(name: &str) -> Option<Value> {
+    Some(match name {
+        "length" => json!(2.0),
+        "mu" | "mean" => json!(1.5),
+        "mu0" | "base" => json!(0.5),
+        "mu1" | "scale_height" | "by" => json!(1.25),
+        "peak" => json!(4.0),
+        "center" | "to" | "end" => json!(0.9),
+        "width" | "start" | "from" => json!(0.25),
+        "constant" => json!(6.0),
+        "edges" => json!([0.0, 0.75, 2.0]),
+        "nodes" => json!([0.0, 2.0]),
+        "ends" => json!([0.75, 2.0]),
+        "values" | "mu_bar" => json!([3.0, 5.0]),
+        "sigma_t" => json!([2.0, 1.0, 0.5]),
+        "sigma_s" => json!([1.5, 0.9, 0.1]),
+        "file" => json!("data/volume.npy"),
+        "bounds" => json!([[0.0, 0.0, 0.0], [4.0, 3.0, 2.0]]),
+        "origin" => json!([-1.0, 1.25, 0.75]),
+        "direction" => json!([1.0, 0.25, 0.125]),
+        "factor" => json!(0.8),
+        "channel" | "walk" => json!(0),
+        "of" => json!(1000),
+        "share" => json!(0.01),
+        _ => return None,
+    })
+}
+
+/// `value` on one line, with spaces as people write it.
+fn spaced(value: &Value) -> String {
+    match value {
+        Value::Object(fields) if fields.is_empty() => "{}".into(),
+        Value::Object(fields) => {
+            let fields: Vec<_> = fields
+                .iter()
+                .map(|(name, value)| format!("\"{name}\": {}", spaced(value)))
+                .collect();
+            format!("{{ {} }}", fields.join(", "))
+        }
+        Value::Array(items) => {
+            let items: Vec<_> = items.iter().map(spaced).collect();
+            format!("[{}]", items.join(", "))
+        }
+        other => other.to_string(),
+    }
+}

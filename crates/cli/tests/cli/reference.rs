@@ -1,0 +1,114 @@
+//! `list`, `describe` and `schema`: no name is left out, and every example can be run.
+
+use crate::support::{folder, put, run};
+use freepath_harness::case::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
+use serde_json::{Value, json};
+use std::path::Path;
+
+fn listed(folder: &Path) -> Vec<Value> {
+    let (code, out, _) = run(folder, &["list", "--json"]);
+    assert_eq!(code, 0);
+    serde_json::from_str(&out).unwrap()
+}
+
+#[test]
+fn every_name_is_listed_with_a_sentence_and_described() {
+    let folder = folder("names");
+    let listed = listed(&folder);
+    let has = |kind: &str, name: &str| {
+        listed
+            .iter()
+            .any(|entry| entry["kind"] == kind && entry["name"] == name)
+    };
+    assert!(FreePathSubject::names().iter().all(|name| has("free_path", name)));
+    assert!(
+        TransmittanceSubject::names()
+            .iter()
+            .all(|name| has("transmittance", name))
+    );
+    assert!(ChromaticSubject::NAMES.iter().all(|name| has("chromatic", name)));
+    assert!(has("medium", "voxel_grid") && has("fault", "nan_draw") && has("reason", "biased"));
+    for entry in &listed {
+        let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
+        assert!(
+            entry["summary"].as_str().unwrap().len() > 5,
+            "{name} has no words"
+        );
+        let (code, out, _) = run(&folder, &["describe", name]);
+        assert_eq!(code, 0);
+        assert!(out.contains(&format!("{name} ({kind})")), "{out}");
+    }
+}
+
+#[test]
+fn a_misspelt_name_gets_a_suggestion() {
+    let (code, out, err) = run(&folder("misspelt"), &["describe", "delta_trakcing"]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("did you mean `delta_tracking`?"), "{err}");
+}
+
+/// The example in a description, as JSON.
+fn example(folder: &Path, kind: &str, name: &str) -> Value {
+    let (_, out, _) = run(folder, &["describe", name]);
+    let (_, rest) = out.split_once(&format!("{name} ({kind})")).unwrap();
+    let (_, rest) = rest.split_once("Example\n").unwrap();
+    let line = rest.lines().next().unwrap().trim();
+    let text = if line.starts_with('{') {
+        line.to_string()
+    } else {
+        format!("{{{line}}}")
+    };
+    serde_json::from_str(&text).unwrap_or_else(|why| panic!("{text}: {why}"))
+}
+
+#[test]
+fn every_example_can_be_run() {
+    let folder = folder("examples");
+    for (i, entry) in listed(&folder).iter().enumerate() {
+        let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
+        // A test has no place in a case, and there is no volume to read.
+        if kind == "test" || name == "voxel_grid" {
+            continue;
+        }
+        put(
+            &folder,
+            &format!("cases/{i}.json"),
+            &case(kind, &example(&folder, kind, name)).to_string(),
+        );
+    }
+    let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
+    assert!(code < 2 || code == 4, "{err}");
+}
+
+fn case(kind: &str, example: &Value) -> Value {
+    let mut case = json!({
+        "title": "An example", "medium": { "constant": { "mu": 1.5, "length": 2.0 } },
+        "subjects": [{ "free_path": { "exact": {} } }],
+    });
+    let into = |target: &mut Value| {
+        target
+            .as_object_mut()
+            .unwrap()
+            .extend(example.as_object().unwrap().clone())
+    };
+    match kind {
+        "medium" | "majorant" => into(&mut case),
+        "free_path" | "transmittance" | "chromatic" => case["subjects"] = json!([example]),
+        _ => into(&mut case["subjects"][0]),
+    }
+    if case["medium"].get("chromatic").is_some() {
+        case["subjects"] = json!([{ "chromatic": { "balance": {} } }]);
+    } else if kind == "chromatic" {
+        let sigma = [2.0, 1.0, 0.5];
+        case["medium"] = json!({ "chromatic": { "sigma_t": sigma, "sigma_s": sigma, "length": 2.0 } });
+    }
+    case
+}
+
+#[test]
+fn the_schema_is_json() {
+    let (code, out, _) = run(&folder("schema"), &["schema"]);
+    let schema: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(code, 0);
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+}

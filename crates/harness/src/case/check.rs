@@ -1,0 +1,123 @@
+//! What can be refused before a medium is built: kinds, names, faults, efforts.
+
+use super::{BiasBound, CaseError, CaseFile, MOST_DRAWS, Subject};
+use std::collections::HashSet;
+
+impl CaseFile {
+    /// `why` the case cannot be judged, at `path`.
+    pub(super) fn refuse(&self, path: &str, why: impl std::fmt::Display) -> CaseError {
+        self.source
+            .diagnose(path, format!("cannot judge the case: {why}"))
+            .into()
+    }
+
+    /// Refuses what no medium could make right.
+    pub(super) fn check(&self) -> Result<(), CaseError> {
+        if self.case.subjects.is_empty() {
+            return Err(self.refuse("subjects", "there is no subject (at least one is needed)"));
+        }
+        let mut names = HashSet::new();
+        for (i, subject) in self.case.subjects.iter().enumerate() {
+            let at = format!("subjects[{i}]");
+            self.check_kind(&at, subject)?;
+            let name = subject.name.clone().unwrap_or_else(|| subject.default_name());
+            if name.is_empty() || name.len() > 200 {
+                return Err(self.refuse(&format!("{at}.name"), "the name must have from 1 to 200 letters"));
+            }
+            if !names.insert((subject.kind().0, name.clone())) {
+                let why = format!("there are two subjects named \"{name}\" (give one a `name` of its own)");
+                return Err(self.refuse(&at, why));
+            }
+            for (j, fault) in subject
+                .fault
+                .iter()
+                .flat_map(|faults| faults.0.iter().enumerate())
+            {
+                fault
+                    .check()
+                    .map_err(|why| self.refuse(&format!("{at}.fault"), format!("fault {j}: {why}")))?;
+            }
+        }
+        self.check_effort()
+    }
+
+    fn check_kind(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
+        let kinds = [
+            subject.free_path.is_some(),
+            subject.transmittance.is_some(),
+            subject.chromatic.is_some(),
+        ];
+        match kinds.iter().filter(|is| **is).count() {
+            1 => Ok(()),
+            n => {
+                let why = format!(
+                    "a subject has {n} kinds (exactly one of `free_path`, `transmittance`, `chromatic`)"
+                );
+                Err(self.refuse(at, why))
+            }
+        }
+    }
+
+    /// Draws, budgets, bounds and tolerances of the case and of each subject.
+    fn check_effort(&self) -> Result<(), CaseError> {
+        let case = &self.case;
+        self.check_numbers(
+            "",
+            case.draws,
+            case.budget,
+            case.bias_bound,
+            case.tolerance,
+            case.resolution_bits,
+        )?;
+        for (i, s) in case.subjects.iter().enumerate() {
+            let at = format!("subjects[{i}].");
+            self.check_numbers(
+                &at,
+                s.draws,
+                s.budget,
+                s.bias_bound,
+                s.tolerance,
+                s.resolution_bits,
+            )?;
+        }
+        Ok(())
+    }
+
+    fn check_numbers(
+        &self,
+        at: &str,
+        draws: Option<u64>,
+        budget: Option<u64>,
+        bound: Option<BiasBound>,
+        tolerance: Option<f64>,
+        bits: Option<u32>,
+    ) -> Result<(), CaseError> {
+        let refuse = |field: &str, why: String| Err(self.refuse(&format!("{at}{field}"), why));
+        for (field, number) in [("draws", draws), ("budget", budget)] {
+            if let Some(n) = number.filter(|&n| n < 1 || n > MOST_DRAWS) {
+                return refuse(field, format!("{field} must be from 1 to {MOST_DRAWS}, not {n}"));
+            }
+        }
+        if let Some(BiasBound::Absolute(x) | BiasBound::Relative(x)) = bound
+            && !(x > 0.0 && x.is_finite())
+        {
+            return refuse(
+                "bias_bound",
+                format!("bias_bound must be finite and positive, not {x}"),
+            );
+        }
+        if let Some(x) = tolerance.filter(|&x| !(x >= 0.0 && x < 1.0)) {
+            return refuse(
+                "tolerance",
+                format!("tolerance must be from 0 to below 1, not {x}"),
+            );
+        }
+        if let Some(b) = bits.filter(|&b| !(8..=53).contains(&b)) {
+            return refuse(
+                "resolution_bits",
+                format!("resolution_bits must be from 8 to 53, not {b}"),
+            );
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,59 @@
+//! What a subject is called, and what it runs.
+
+use super::{FreePathSubject, Subject, TransmittanceSubject};
+use crate::subject::Work;
+use serde_json::Value;
+
+impl Subject {
+    /// Its kind and its estimator's name.
+    pub(super) fn kind(&self) -> (&'static str, &'static str) {
+        match (&self.free_path, &self.transmittance, &self.chromatic) {
+            (Some(sampler), ..) => ("free_path", sampler.name()),
+            (_, Some(estimator), _) => ("transmittance", estimator.name()),
+            (_, _, Some(sampler)) => ("chromatic", sampler.name()),
+            _ => ("none", "none"),
+        }
+    }
+
+    pub(super) fn work(&self) -> Work<'_> {
+        use FreePathSubject as F;
+        use TransmittanceSubject as T;
+        match (&self.free_path, &self.transmittance, &self.chromatic) {
+            (Some(F::Listed(sampler)), ..) => Work::FreePath(&**sampler),
+            (_, Some(T::Listed(estimator)), _) => Work::Transmittance(&**estimator),
+            (_, Some(T::ClosedForm), _) => Work::ClosedForm,
+            (_, _, Some(sampler)) => Work::Chromatic(&**sampler),
+            _ => Work::Exact,
+        }
+    }
+
+    /// The estimator with its parameters, such as `ray_marching stratified 4`.
+    pub(super) fn default_name(&self) -> String {
+        let json =
+            serde_json::to_value((&self.free_path, &self.transmittance, &self.chromatic)).unwrap_or_default();
+        let mut words = vec![self.kind().1.to_string()];
+        collect_words(&json, false, &mut words);
+        words.join(" ")
+    }
+}
+
+/// The leaves of a subject's JSON, in order.
+fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
+    match json {
+        Value::Array(items) => items.iter().for_each(|item| collect_words(item, inside, words)),
+        Value::Object(fields) => fields
+            .iter()
+            .for_each(|(_, field)| collect_words(field, true, words)),
+        Value::String(word) if inside && word != "restart" => words.push(word.replace('_', "-")),
+        Value::Number(number) if inside => words.push(number.to_string()),
+        _ => {}
+    }
+}
+
+/// FNV-1a (Fowler, Noll and Vo), 64 bits.
+#[must_use]
+pub fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}

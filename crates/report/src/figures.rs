@@ -1,0 +1,149 @@
+//! Which plots a report has, and under which names.
+
+mod ladders;
+
+use crate::plot::cost::Cost;
+use crate::plot::forest::Entry;
+use crate::plot::{Figure, cdf, cost, efficiency, forest, histogram, medium, order, residuals, running};
+use crate::site::{Case, Site, Subject};
+use crate::text::clean;
+use rayon::prelude::*;
+
+/// A plot with the name of its files.
+pub(crate) struct Drawn {
+    /// Without extension.
+    pub(crate) file: String,
+    pub(crate) figure: Figure,
+}
+
+/// The plots of each subject and of each case, in the order of the site.
+pub(crate) struct Figures {
+    pub(crate) subjects: Vec<Vec<Drawn>>,
+    pub(crate) cases: Vec<Vec<Drawn>>,
+}
+
+impl Figures {
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Drawn> {
+        self.cases.iter().chain(&self.subjects).flatten()
+    }
+}
+
+/// All plots of `site`.
+pub(crate) fn of(site: &Site) -> Figures {
+    Figures {
+        subjects: site
+            .subjects
+            .par_iter()
+            .map(|subject| of_subject(site, subject))
+            .collect(),
+        cases: site.cases.par_iter().map(|case| of_case(site, case)).collect(),
+    }
+}
+
+fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
+    let level = site.results.reporting_level.0;
+    let (result, name) = (subject.result, &subject.name);
+    let series = &result.series;
+    let figures = [
+        series.cdf.as_ref().map(|s| cdf::figure(s, name, level)),
+        series.histogram.as_ref().map(|s| histogram::figure(s, name)),
+        series.residuals.as_ref().map(|s| residuals::figure(s, name)),
+        series
+            .running
+            .as_ref()
+            .zip(result.mean.as_ref())
+            .map(|(s, mean)| running::figure(s, mean, name, level)),
+        channels(subject),
+    ];
+    named(&subject.id, figures.into_iter().flatten())
+}
+
+fn channels(subject: &Subject) -> Option<Figure> {
+    let result = subject.result;
+    let entry = |c: &'_ freepath_harness::results::ChannelResult| {
+        format!("channel {}, {}", c.channel, clean(&c.event, 24))
+    };
+    let entries: Vec<Entry> = result
+        .channels
+        .iter()
+        .map(|c| Entry {
+            label: entry(c),
+            mean: &c.mean,
+            verdict: result.verdict,
+        })
+        .collect();
+    let title = format!("{}: relative bias of each channel", subject.name);
+    (!entries.is_empty()).then(|| forest::figure(&entries, "channels", "Means of the channels", &title))
+}
+
+fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
+    let members = site.members(case);
+    let mut figures: Vec<Figure> = case
+        .medium
+        .map(|m| medium::figure(m, &case.title))
+        .into_iter()
+        .collect();
+    figures.extend(means(case, &members));
+    let costs: Vec<Cost> = members.iter().filter_map(|s| paid(s)).collect();
+    if !costs.is_empty() {
+        figures.push(efficiency::figure(&costs, &case.title));
+        figures.push(cost::figure(&costs, &case.title));
+    }
+    let ladders = ladders::of(&members);
+    figures.extend(
+        ladders
+            .iter()
+            .map(|ladder| order::figure(ladder, "order", &case.title)),
+    );
+    named(&case.id, figures)
+}
+
+fn means(case: &Case, members: &[&Subject]) -> Option<Figure> {
+    let judged = members.iter().filter(|s| !s.is_control());
+    let entries: Vec<Entry> = judged
+        .filter_map(|s| {
+            let mean = s.result.mean.as_ref()?;
+            Some(Entry {
+                label: s.name.clone(),
+                mean,
+                verdict: s.result.verdict,
+            })
+        })
+        .collect();
+    let title = format!("{}: relative bias of each estimator", case.title);
+    (!entries.is_empty()).then(|| forest::figure(&entries, "means", "Biases", &title))
+}
+
+fn paid<'a>(subject: &Subject<'a>) -> Option<Cost<'a>> {
+    let efficiency = subject
+        .result
+        .efficiency
+        .as_ref()
+        .filter(|_| !subject.is_control())?;
+    let lookups = subject.result.lookups.0;
+    Some(Cost {
+        name: subject.name.clone(),
+        efficiency,
+        lookups,
+        seconds: subject.seconds,
+    })
+}
+
+/// A second figure of the same name gets a number.
+fn named(id: &str, figures: impl IntoIterator<Item = Figure>) -> Vec<Drawn> {
+    let stem = id.split_once('-').map_or(id, |(_, rest)| rest);
+    let mut drawn: Vec<Drawn> = vec![];
+    for figure in figures {
+        let before = drawn.iter().filter(|d| d.figure.name == figure.name).count();
+        let number = if before > 0 {
+            format!("-{}", before + 1)
+        } else {
+            String::new()
+        };
+        drawn.push(Drawn {
+            file: format!("{stem}-{}{number}", figure.name),
+            figure,
+        });
+    }
+    drawn
+}

@@ -1,0 +1,87 @@
+//! The page: what the template shows, in its words.
+
+mod case;
+mod controls;
+mod figure;
+mod matrix;
+mod subject;
+mod summary;
+mod table;
+mod words;
+
+use crate::ReportError;
+use crate::digest::{base64, sha256};
+use crate::draw::FONT;
+use crate::figures::Figures;
+use crate::site::Site;
+use crate::text::script_json;
+use askama::Template;
+use case::CaseView;
+use controls::ControlRow;
+use matrix::Matrix;
+use rayon::prelude::*;
+use summary::Summary;
+use table::Row;
+
+const STYLE: &str = include_str!("../assets/style.css");
+const SCRIPT: &str = include_str!("../assets/script.js");
+
+#[derive(Template)]
+#[template(path = "index.html")]
+struct Page {
+    policy: String,
+    font: String,
+    style: &'static str,
+    script: &'static str,
+    json: String,
+    summary: Summary,
+    attention: Vec<Row>,
+    matrix: Matrix,
+    controls: Vec<ControlRow>,
+    rows: Vec<Row>,
+    cases: Vec<CaseView>,
+}
+
+/// The whole page as HTML.
+pub(crate) fn html(site: &Site, figures: &Figures, run: &str) -> Result<String, ReportError> {
+    let rows: Vec<Row> = site.subjects.iter().map(|s| Row::new(site, s)).collect();
+    let cases = (0..site.cases.len())
+        .into_par_iter()
+        .map(|i| CaseView::new(site, figures, i));
+    let page = Page {
+        policy: policy(),
+        font: base64(FONT),
+        style: STYLE,
+        script: SCRIPT,
+        json: script_json(&facts(site, run)),
+        summary: Summary::new(site, run),
+        attention: rows.iter().filter(|row| row.surprising).cloned().collect(),
+        matrix: Matrix::new(site),
+        controls: controls::rows(site),
+        rows,
+        cases: cases.collect::<Result<_, _>>()?,
+    };
+    page.render().map_err(|e| ReportError::Page(e.to_string()))
+}
+
+/// Nothing is loaded, and no script runs but the page's own.
+fn policy() -> String {
+    let hash = base64(&sha256(SCRIPT.as_bytes()));
+    format!(
+        "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{hash}'; img-src data:; font-src data:; \
+         base-uri 'none'; form-action 'none'"
+    )
+}
+
+/// The run in a form for programs.
+fn facts(site: &Site, run: &str) -> serde_json::Value {
+    let results = site.results;
+    serde_json::json!({
+        "run": run,
+        "version": results.version,
+        "seed": results.seed,
+        "alpha": results.alpha,
+        "subjects": results.results.len(),
+        "as_expected": results.results.iter().filter(|r| r.as_expected).count(),
+    })
+}

@@ -1,0 +1,57 @@
+//! One medium with its subjects.
+
+use super::figure::FigureView;
+use super::subject::SubjectView;
+use crate::ReportError;
+use crate::figures::Figures;
+use crate::number::short;
+use crate::site::Site;
+use crate::text::{clean, words};
+use freepath_harness::results::MediumResult;
+
+/// The section of a case.
+pub(crate) struct CaseView {
+    pub(crate) id: String,
+    pub(crate) number: usize,
+    pub(crate) title: String,
+    pub(crate) file: String,
+    pub(crate) medium: String,
+    pub(crate) parameters: String,
+    pub(crate) figures: Vec<FigureView>,
+    pub(crate) subjects: Vec<SubjectView>,
+}
+
+impl CaseView {
+    pub(crate) fn new(site: &Site, figures: &Figures, i: usize) -> Result<Self, ReportError> {
+        let case = &site.cases[i];
+        let none = vec![];
+        let of = |member: usize| figures.subjects.get(member).unwrap_or(&none);
+        let subjects = case
+            .members
+            .iter()
+            .filter_map(|&m| Some(SubjectView::new(site.subjects.get(m)?, of(m))));
+        Ok(Self {
+            id: case.id.clone(),
+            number: i + 1,
+            title: case.title.clone(),
+            file: case.medium.map_or_else(String::new, |m| clean(&m.file, 200)),
+            medium: case.medium.map_or_else(String::new, sentence),
+            parameters: case
+                .medium
+                .map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
+            figures: FigureView::all(figures.cases.get(i).unwrap_or(&none))?,
+            subjects: subjects.collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+fn sentence(medium: &MediumResult) -> String {
+    let tau: Vec<_> = medium.tau.iter().take(16).map(|tau| short(tau.0)).collect();
+    let [least, greatest] = medium.extrema.map(|x| short(x.0));
+    format!(
+        "A {} medium, {} length units long; optical depth {}; extinction between {least} and {greatest} per length unit.",
+        clean(&words(&medium.medium), 60),
+        short(medium.length.0),
+        tau.join(", ")
+    )
+}

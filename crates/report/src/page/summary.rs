@@ -1,0 +1,115 @@
+//! The first screen.
+
+use crate::number::{count, seconds, short};
+use crate::site::Site;
+use crate::text::clean;
+use freepath_harness::verdict::Verdict;
+
+/// The verdict of the run and its circumstances.
+pub(crate) struct Summary {
+    pub(crate) good: bool,
+    pub(crate) headline: String,
+    pub(crate) lead: String,
+    /// Class, number, words.
+    pub(crate) counts: Vec<(&'static str, String, &'static str)>,
+    /// Name, value, explanation.
+    pub(crate) facts: Vec<(&'static str, String, String)>,
+    pub(crate) repro: String,
+    pub(crate) left_out: usize,
+}
+
+impl Summary {
+    pub(crate) fn new(site: &Site, run: &str) -> Self {
+        let all = &site.results.results;
+        let surprises = all.iter().filter(|r| !r.as_expected).count();
+        let controls = all.iter().filter(|r| !r.faults.is_empty()).count();
+        Self {
+            good: surprises == 0 && !all.is_empty(),
+            headline: headline(all.len(), surprises),
+            lead: lead(site, controls),
+            counts: counts(site, surprises),
+            facts: facts(site, run),
+            repro: clean(&site.results.repro, 1000),
+            left_out: site.left_out(),
+        }
+    }
+}
+
+fn headline(all: usize, surprises: usize) -> String {
+    match (all, surprises) {
+        (0, _) => "Nothing was judged".into(),
+        (1, 0) => "The one subject behaves as expected".into(),
+        (n, 0) => format!("All {n} subjects behave as expected"),
+        (n, 1) => format!("1 of {n} subjects is not as expected"),
+        (n, k) => format!("{k} of {n} subjects are not as expected"),
+    }
+}
+
+fn lead(site: &Site, controls: usize) -> String {
+    let planted = match controls {
+        0 => String::new(),
+        1 => " One of them carries a planted fault, which must be caught.".into(),
+        n => format!(" {n} of them carry planted faults, which must be caught."),
+    };
+    format!(
+        "Each free-path sampler and transmittance estimator was put to every claim that it makes, in {} media.{planted} \
+         The chance that a right one is called wrong, anywhere in this run, is at most {}.",
+        site.cases.len(),
+        short(site.results.alpha.0)
+    )
+}
+
+fn counts(site: &Site, surprises: usize) -> Vec<(&'static str, String, &'static str)> {
+    let expected = |verdict| {
+        site.results
+            .results
+            .iter()
+            .filter(|r| r.as_expected && r.verdict == verdict)
+            .count()
+    };
+    vec![
+        ("pass", expected(Verdict::Pass).to_string(), "pass"),
+        ("fail", expected(Verdict::Fail).to_string(), "fail, as expected"),
+        (
+            "inconclusive",
+            expected(Verdict::Inconclusive).to_string(),
+            "inconclusive, as expected",
+        ),
+        ("surprise", surprises.to_string(), "not as expected"),
+    ]
+}
+
+fn facts(site: &Site, run: &str) -> Vec<(&'static str, String, String)> {
+    let results = site.results;
+    let [first, second] = results.p_values.map(|n| count(n as u64));
+    let mut facts = vec![
+        (
+            "False-alarm rate",
+            short(results.alpha.0),
+            "of the whole run, by design".into(),
+        ),
+        (
+            "p-values",
+            format!("{first} + {second}"),
+            format!(
+                "in two stages, each held to {} by Holm",
+                short(results.stage_alpha.0)
+            ),
+        ),
+        (
+            "Seed",
+            results.seed.to_string(),
+            "the same seed gives the same bits".into(),
+        ),
+        (
+            "Version",
+            clean(&results.version, 60),
+            format!("run {}", clean(run, 40)),
+        ),
+    ];
+    if let Some(timings) = site.timings {
+        let words = format!("on {} threads, {}", timings.jobs, clean(&timings.isa, 40));
+        facts.push(("Time", seconds(timings.seconds.0), words));
+    }
+    facts
+}

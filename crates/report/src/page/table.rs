@@ -1,0 +1,125 @@
+//! The table of all subjects.
+
+use super::words::class;
+use crate::number::short;
+use crate::site::{Site, Subject};
+use crate::text::{clean, words};
+use freepath_harness::results::{MeanResult, SubjectResult};
+
+/// A number as shown and as sorted.
+#[derive(Clone)]
+pub(crate) struct Cell {
+    pub(crate) text: String,
+    pub(crate) key: String,
+}
+
+impl Cell {
+    fn new(value: Option<f64>, key: impl Fn(f64) -> f64) -> Self {
+        let key = value.map(key).filter(|x| x.is_finite());
+        Self {
+            text: value.map_or_else(String::new, short),
+            key: key.map_or_else(String::new, |x| format!("{x:e}")),
+        }
+    }
+}
+
+/// One subject in one line.
+#[derive(Clone)]
+pub(crate) struct Row {
+    pub(crate) id: String,
+    pub(crate) verdict: String,
+    pub(crate) class: &'static str,
+    pub(crate) surprising: bool,
+    pub(crate) expected: String,
+    pub(crate) subject: String,
+    pub(crate) estimator: String,
+    pub(crate) case: String,
+    pub(crate) reasons: String,
+    /// Smallest adjusted p, bias or distance, bound, detectable, look-ups.
+    pub(crate) cells: Vec<Cell>,
+}
+
+impl Row {
+    pub(crate) fn new(site: &Site, subject: &Subject) -> Self {
+        let result = subject.result;
+        let same = |x: f64| x;
+        let [gap, bound, detectable] = measures(result);
+        Self {
+            id: subject.id.clone(),
+            verdict: result.verdict.to_string(),
+            class: class(result.verdict),
+            surprising: !result.as_expected,
+            expected: clean(&words(&result.expected), 80),
+            subject: subject.name.clone(),
+            estimator: clean(&words(&result.estimator), 60),
+            case: site.cases[subject.case].title.clone(),
+            reasons: reasons(result),
+            cells: vec![
+                Cell::new(smallest_p(result), same),
+                Cell::new(gap, f64::abs),
+                Cell::new(bound, same),
+                Cell::new(detectable, same),
+                Cell::new(Some(result.lookups.0), same),
+            ],
+        }
+    }
+}
+
+/// The reasons as a short list.
+pub(crate) fn reasons(result: &SubjectResult) -> String {
+    let codes: Vec<_> = result.reasons.iter().take(20).map(|r| words(r.code())).collect();
+    codes.join(", ")
+}
+
+/// The strongest evidence against a subject, in a few words.
+pub(crate) fn evidence(result: &SubjectResult) -> String {
+    match result
+        .tests
+        .iter()
+        .filter(|t| t.rejected)
+        .min_by(|a, b| key(a.p).total_cmp(&key(b.p)))
+    {
+        Some(test) => format!(
+            "{}: p = {}",
+            clean(&words(&test.name), 60),
+            test.p.map_or("none".into(), |p| short(p.0))
+        ),
+        None => result
+            .notes
+            .first()
+            .map_or_else(String::new, |note| clean(note, 120)),
+    }
+}
+
+fn key(p: Option<freepath_harness::real::Real>) -> f64 {
+    p.map_or(2.0, |p| p.0)
+}
+
+/// The least adjusted p-value of stage 2, which decides, or else of stage 1.
+fn smallest_p(result: &SubjectResult) -> Option<f64> {
+    let of = |stage: u8| {
+        let ps = result
+            .tests
+            .iter()
+            .filter(|t| t.stage == stage)
+            .filter_map(|t| t.p_adjusted);
+        ps.map(|p| p.0).min_by(f64::total_cmp)
+    };
+    of(2).or_else(|| of(1))
+}
+
+/// Bias or distance, bound and detectable; of a chromatic sampler, those of its worst channel.
+fn measures(result: &SubjectResult) -> [Option<f64>; 3] {
+    let of = |m: &MeanResult| [Some(m.bias.0), Some(m.bound.0), Some(m.detectable.0)];
+    if let Some(mean) = &result.mean {
+        return of(mean);
+    }
+    if let Some(law) = &result.law {
+        return [Some(law.distance.0), Some(law.bound.0), Some(law.detectable.0)];
+    }
+    let worst = result
+        .channels
+        .iter()
+        .max_by(|a, b| a.mean.bias.0.abs().total_cmp(&b.mean.bias.0.abs()));
+    worst.map_or([None; 3], |channel| of(&channel.mean))
+}

@@ -1,0 +1,130 @@
+//! Sentences of the page.
+
+use crate::number::{count, short};
+use crate::text::words;
+use freepath_harness::results::{LawResult, MeanResult, SubjectResult};
+use freepath_harness::verdict::Verdict;
+
+/// The letter of a verdict in the matrix.
+pub(crate) fn letter(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "P",
+        Verdict::Inconclusive => "I",
+        Verdict::Fail => "F",
+    }
+}
+
+/// The verdict as the style sheet knows it.
+pub(crate) fn class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Inconclusive => "inconclusive",
+        Verdict::Fail => "fail",
+    }
+}
+
+/// What was found, in one sentence.
+pub(crate) fn verdict(result: &SubjectResult) -> String {
+    let draws = count(result.draws.saturating_add(result.draws_stage2));
+    let found = match result.verdict {
+        Verdict::Pass => format!("Passes: none of its claims was rejected in {draws} draws"),
+        Verdict::Fail => format!("Fails: a claim is contradicted in {draws} draws"),
+        Verdict::Inconclusive => format!("Inconclusive after {draws} draws: something could not be judged"),
+    };
+    let fit = match (result.as_expected, result.verdict) {
+        (true, Verdict::Pass) => "",
+        (true, _) if !result.faults.is_empty() => ", as a planted fault must",
+        (true, _) => ", as expected",
+        (false, _) => ", which was not expected",
+    };
+    format!("{found}{fit}.")
+}
+
+/// What a mean says of its bias, what was bounded and what would have been seen.
+pub(crate) fn mean(mean: &MeanResult) -> Vec<String> {
+    let method = match mean.method.as_str() {
+        "binomial" => "an exact binomial interval",
+        "student_t" => "Student’s t",
+        "skewness_corrected" => "a t interval corrected for skewness",
+        "empirical_bernstein" => "an empirical Bernstein bound",
+        "exact" => "an exact comparison, as the draws do not vary",
+        _ => "the stated method",
+    };
+    vec![
+        format!(
+            "The mean is {} and should be {}: a bias of {}, between {} and {} by {method}.",
+            digits6(mean.estimate.0),
+            digits6(mean.expected.0),
+            short(mean.bias.0),
+            short(mean.low.0),
+            short(mean.high.0)
+        ),
+        format!(
+            "A bias as large as {} is still allowed by these draws; one above {} would have been seen with 90 % power.",
+            short(mean.bound.0),
+            short(mean.detectable.0)
+        ),
+    ]
+}
+
+fn digits6(x: f64) -> String {
+    crate::number::digits(x, 6)
+}
+
+/// As [`mean`], for a law.
+pub(crate) fn law(law: &LawResult) -> Vec<String> {
+    let atom = &law.atom;
+    vec![
+        format!(
+            "The largest gap between the draws and the law is {}. The sampler’s own law may be off by as much as {}; \
+             a gap above {} would have been seen with 90 % power.",
+            short(law.distance.0),
+            short(law.bound.0),
+            short(law.detectable.0)
+        ),
+        format!(
+            "A path escapes with probability {}; the share of draws that did is {} (between {} and {}).",
+            short(atom.expected.0),
+            short(atom.estimate.0),
+            short(atom.low.0),
+            short(atom.high.0)
+        ),
+    ]
+}
+
+/// What the audit of look-ups found.
+pub(crate) fn audit(result: &SubjectResult) -> String {
+    let expected = result
+        .lookups_expected
+        .map_or(String::new(), |e| format!(", where {} are claimed", short(e.0)));
+    let audit = &result.audit;
+    let found: Vec<String> = [
+        (audit.above, "look-ups above the majorant"),
+        (audit.outside, "look-ups outside the ray"),
+        (audit.non_finite, "draws that are not finite"),
+        (audit.out_of_support, "draws outside the support"),
+    ]
+    .iter()
+    .filter(|(n, _)| *n > 0)
+    .map(|(n, what)| format!("{} {what}", count(*n)))
+    .collect();
+    let found = if found.is_empty() {
+        "none above the majorant or outside the ray".into()
+    } else {
+        found.join(", ")
+    };
+    format!(
+        "{} look-ups of μ per draw{expected}; {found}.",
+        short(result.lookups.0)
+    )
+}
+
+/// `free_path` and its kin, for people.
+pub(crate) fn kind(kind: &str) -> String {
+    match kind {
+        "free_path" => "Free-path samplers".into(),
+        "transmittance" => "Transmittance estimators".into(),
+        "chromatic" => "Chromatic samplers".into(),
+        other => words(other),
+    }
+}

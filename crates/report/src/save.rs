@@ -1,0 +1,59 @@
+//! Files that are whole or not there.
+
+use crate::draw::{png, standalone};
+use crate::figures::{Drawn, Figures};
+use crate::{Options, ReportError};
+use freepath_harness::results::Results;
+use rayon::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The text of results.json.
+///
+/// # Errors
+/// If a value has no form in JSON.
+pub fn json(results: &Results) -> Result<String, ReportError> {
+    let text = serde_json::to_string_pretty(results).map_err(|e| ReportError::Page(e.to_string()))?;
+    Ok(text + "\n")
+}
+
+/// Writes every plot as PNG and SVG, as far as `options` want them.
+pub(crate) fn plots(figures: &Figures, options: &Options, folder: &Path) -> Result<(), ReportError> {
+    fs::create_dir_all(folder).map_err(|cause| ReportError::write(folder, cause))?;
+    figures
+        .all()
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .try_for_each(|drawn| files(drawn, options, folder))
+}
+
+fn files(drawn: &Drawn, options: &Options, folder: &Path) -> Result<(), ReportError> {
+    if options.png {
+        let path = folder.join(format!("{}.png", drawn.file));
+        let beside = beside(&path);
+        png(&drawn.figure.picture, &beside)?;
+        rename(&beside, &path)?;
+    }
+    if options.svg {
+        let path = folder.join(format!("{}.svg", drawn.file));
+        atomically(&path, standalone(&drawn.figure.picture)?.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Writes `content` beside `path`, then renames it.
+pub(crate) fn atomically(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let beside = beside(path);
+    fs::write(&beside, content).map_err(|cause| ReportError::write(&beside, cause))?;
+    rename(&beside, path)
+}
+
+/// A name in the same folder with the same extension, by which plotters picks the format.
+fn beside(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{}-{name}", std::process::id()))
+}
+
+fn rename(from: &Path, to: &Path) -> Result<(), ReportError> {
+    fs::rename(from, to).map_err(|cause| ReportError::write(to, cause))
+}

@@ -1,0 +1,103 @@
+//! Text that comes from results.json: of any length, with anything in it.
+
+use std::collections::HashSet;
+
+/// `text` without control and direction marks, cut to `most` characters.
+pub(crate) fn clean(text: &str, most: usize) -> String {
+    let mut kept = text
+        .chars()
+        .map(|c| if c.is_whitespace() { ' ' } else { c })
+        .filter(|&c| !is_mark(c));
+    let mut out: String = kept.by_ref().take(most).collect();
+    if kept.next().is_some() {
+        out.pop();
+        out.push('…');
+    }
+    out
+}
+
+fn is_mark(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
+}
+
+/// `name` with the first letter of a sentence, and underscores as spaces.
+pub(crate) fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+/// Makes ids and file names out of anything: `[a-z0-9-]`, at most 72 long, none twice.
+#[derive(Default)]
+pub(crate) struct Slugs {
+    taken: HashSet<String>,
+}
+
+impl Slugs {
+    /// The id for `text`, behind `prefix`.
+    pub(crate) fn take(&mut self, prefix: &str, text: &str) -> String {
+        let stem = format!("{prefix}{}", slug(text));
+        let mut id = stem.clone();
+        let mut n = 2;
+        while !self.taken.insert(id.clone()) {
+            id = format!("{stem}-{n}");
+            n += 1;
+        }
+        id
+    }
+}
+
+fn slug(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars().take(72) {
+        match c.to_ascii_lowercase() {
+            c @ ('a'..='z' | '0'..='9') => out.push(c),
+            _ if out.is_empty() || out.ends_with('-') => {}
+            _ => out.push('-'),
+        }
+    }
+    match out.trim_end_matches('-') {
+        "" => "x".into(),
+        kept => kept.into(),
+    }
+}
+
+/// `value` as JSON that may stand inside a script element.
+pub(crate) fn script_json(value: &serde_json::Value) -> String {
+    let mut out = String::new();
+    for c in value.to_string().chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => out.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_plain_and_unique() {
+        let mut slugs = Slugs::default();
+        assert_eq!(
+            slugs.take("s-", "Gaussian bump / <b>δ</b>"),
+            "s-gaussian-bump-b-b"
+        );
+        assert_eq!(slugs.take("s-", "gaussian bump b b"), "s-gaussian-bump-b-b-2");
+        assert_eq!(slugs.take("s-", "δ"), "s-x");
+        assert!(slugs.take("s-", &"long ".repeat(100)).len() < 80);
+    }
+
+    #[test]
+    fn script_json_cannot_close_its_element() {
+        let json = script_json(&serde_json::json!("</script>\u{2028}&"));
+        assert_eq!(json, r#""\u003c/script\u003e\u2028\u0026""#);
+    }
+
+    #[test]
+    fn text_is_cleaned_and_cut() {
+        assert_eq!(clean("a\u{202e}b\n\u{0}c", 9), "ab c");
+        assert_eq!(clean("abcdef", 4), "abc…");
+    }
+}

@@ -1,0 +1,33 @@
+//! Every shipped case and control is as expected, at full effort.
+
+use freepath_estimators::chromatic::AnyChromatic;
+use freepath_estimators::medium::AnyMedium;
+use freepath_harness::case::{FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::fault::Fault;
+use freepath_tests::{case_paths, load, results, surprises};
+
+#[test]
+fn every_shipped_case_is_as_expected() {
+    let cases: Vec<_> = case_paths("cases")
+        .iter()
+        .flat_map(|path| load(path, &Limits::default()))
+        .collect();
+    let found = surprises(&results(&cases, 1));
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn every_name_is_in_a_case() {
+    let text: String = case_paths("cases")
+        .iter()
+        .filter_map(|path| std::fs::read_to_string(path).ok())
+        .collect();
+    let faults = Fault::NAMES.iter().map(|(name, _)| *name);
+    let subjects = FreePathSubject::names()
+        .iter()
+        .chain(TransmittanceSubject::names())
+        .chain(AnyChromatic::NAMES);
+    for name in subjects.chain(AnyMedium::NAMES).copied().chain(faults) {
+        assert!(text.contains(&format!("\"{name}\"")), "no case names {name:?}");
+    }
+}

@@ -1,0 +1,102 @@
+//! The same seed gives the same bytes: for any number of threads, for every instruction set, and between versions.
+
+use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::medium::{Gaussian, Sinusoid};
+use freepath_estimators::simd::{Isa, detect, limit};
+use freepath_estimators::transmittance::RatioTracking;
+use freepath_estimators::{Draws, FreePathSampler, Key, Streams, TransmittanceEstimator};
+use freepath_harness::case::{Limits, Prepared};
+use freepath_tests::{case_paths, load, results};
+
+fn small() -> Vec<Prepared> {
+    let limits = Limits {
+        draws: Some(40_000),
+        ..Limits::default()
+    };
+    let some = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
+    let wanted = |path: &std::path::PathBuf| some.iter().any(|name| path.to_string_lossy().contains(name));
+    case_paths("cases")
+        .iter()
+        .filter(|path| wanted(path))
+        .flat_map(|path| load(path, &limits))
+        .collect()
+}
+
+fn bytes(cases: &[Prepared]) -> String {
+    serde_json::to_string(&results(cases, 7)).expect("results are JSON")
+}
+
+#[test]
+fn results_have_the_same_bytes_for_any_number_of_threads() {
+    let cases = small();
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("a pool");
+        pool.install(|| bytes(&cases))
+    };
+    let one = with(1);
+    for threads in [2, 3, 7] {
+        assert!(with(threads) == one, "{threads} threads give other bytes");
+    }
+}
+
+#[test]
+fn results_have_the_same_bytes_for_every_instruction_set() {
+    let cases = small();
+    let best = limit(detect());
+    let expected = bytes(&cases);
+    for isa in Isa::ALL {
+        if isa > best {
+            println!("not run: {} (this machine has it not)", isa.name());
+            continue;
+        }
+        limit(isa);
+        let same = bytes(&cases) == expected;
+        limit(best);
+        assert!(same, "{} gives other bytes", isa.name());
+    }
+}
+
+#[test]
+fn another_seed_gives_other_draws() {
+    let cases = small();
+    assert!(results(&cases, 1).results[1].law != results(&cases, 2).results[1].law);
+}
+
+fn streams() -> Streams {
+    Streams::new(Key {
+        seed: 1,
+        subject: 2,
+        block: 3,
+    })
+}
+
+/// A change here is value-breaking: say so in the changelog.
+#[test]
+fn the_first_draws_of_a_seed_are_pinned() -> Result<(), Box<dyn std::error::Error>> {
+    let medium = Gaussian::new(4.0, 0.9, 0.25, 2.0, 0.0)?;
+    let mut block = Draws::new(1000).with_t();
+    DeltaTracking::default().sample_block(&medium, &streams(), &mut block);
+    let streams = streams();
+    let mut rng = streams.rng();
+    let scalar: Vec<f64> = (0..3)
+        .map(|_| DeltaTracking::default().sample(&medium, &mut rng).t)
+        .collect();
+    let wave = Sinusoid::new(1.0, 0.9, 2.0, 2.185, 0.7)?;
+    let mut ratio = Draws::new(1000).with_weight();
+    RatioTracking {}.estimate_block(&wave, &streams, &mut ratio);
+    assert_eq!(bits(&block.t[..3]), PINNED_BLOCK);
+    assert_eq!(bits(&scalar), PINNED_SCALAR);
+    assert_eq!(bits(&ratio.weight[..3]), PINNED_RATIO);
+    Ok(())
+}
+
+fn bits(x: &[f64]) -> [u64; 3] {
+    std::array::from_fn(|i| x[i].to_bits())
+}
+
+const PINNED_BLOCK: [u64; 3] = [0, 0, 0];
+const PINNED_SCALAR: [u64; 3] = [0, 0, 0];
+const PINNED_RATIO: [u64; 3] = [0, 0, 0];

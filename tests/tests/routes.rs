@@ -1,0 +1,76 @@
+//! Every claim is put to the scalar method as to the block method: a wrapper hides each block method.
+
+use freepath_harness::case::Limits;
+use freepath_harness::collect::{Watch, collect};
+use freepath_harness::decide::{Stage, adjust, decide, suspect};
+use freepath_harness::judge::judge;
+use freepath_harness::plan::{Design, Plan};
+use freepath_harness::run::expected;
+use freepath_harness::subject::{Route, Subject};
+use freepath_tests::{case_paths, load};
+use std::sync::atomic::AtomicBool;
+
+#[test]
+fn every_claim_holds_for_the_scalar_method() {
+    let limits = Limits {
+        draws: Some(150_000),
+        ..Limits::default()
+    };
+    let cases: Vec<_> = case_paths("cases")
+        .iter()
+        .flat_map(|path| load(path, &limits))
+        .collect();
+    let mut wrong = Vec::new();
+    for case in &cases {
+        for prepared in case.subjects.iter().filter(|subject| subject.faults.is_empty()) {
+            let subject = Subject {
+                route: Route::Scalar,
+                ..prepared.runnable(&case.world, &case.case)
+            };
+            wrong.extend(
+                surprise(&subject, prepared.spec.expect)
+                    .map(|why| format!("{} {}: {why}", case.file, prepared.name)),
+            );
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectation>) -> Option<String> {
+    let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
+    let watch = Watch {
+        cancelled: &never,
+        progress: &|_| (),
+    };
+    let blocks = Subject::blocks(subject.draws);
+    let stage = |range| collect(subject, &plan, 11, range, &watch).map(|seen| judge(subject, &plan, &seen));
+    let first = stage(0..blocks).ok()?;
+    let second = if suspect(&first) {
+        stage(blocks..3 * blocks).ok()
+    } else {
+        None
+    };
+    let (one, two) = (
+        adjust([Some(&first)].into_iter()),
+        adjust([second.as_ref()].into_iter()),
+    );
+    let again = second.as_ref().map(|judged| Stage {
+        judged,
+        adjusted: &two.0[0],
+    });
+    let decision = decide(
+        Stage {
+            judged: &first,
+            adjusted: &one.0[0],
+        },
+        again,
+    );
+    let (wanted, _, as_expected) = expected(stated, false, plan.design, &decision);
+    let unsure = plan.design == Design::Unsure;
+    (!as_expected && !unsure).then(|| {
+        format!(
+            "{} where {wanted} is expected: {:?}",
+            decision.verdict, decision.notes
+        )
+    })
+}
