@@ -9,21 +9,12 @@ const HELD: usize = 1 << 16;
 
 /// Equal values among the draws, from those whose bit hash lies below a threshold that halves whenever too many are
 /// held: a choice by value, so that equal values stay together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TieTally {
     /// Bits of the values held, with repeats.
     held: Vec<u64>,
     /// Values are held if their hash is below 2^64 / 2^halvings.
     halvings: u32,
-}
-
-impl Default for TieTally {
-    fn default() -> Self {
-        Self {
-            held: Vec::new(),
-            halvings: 0,
-        }
-    }
 }
 
 #[inline(always)]
