@@ -119,6 +119,7 @@ impl<'a, H: Heuristic> Block<'a, H> {
     fn fill(&mut self, uniforms: &mut impl Uniforms, out: &mut Draws) {
         let drawable = self.terms.iter().filter(|term| term.probability > 0.0).count();
         let (mut choice, mut u) = ([0.0; LANES], [0.0; LANES]);
+        out.collisions.fill(0);
         for from in (0..out.rows).step_by(LANES) {
             if drawable > 1 {
                 uniforms.fill(&mut choice);
