@@ -6,6 +6,7 @@ use crate::parameter::ParameterError;
 use crate::random::Streams;
 
 mod balance;
+mod block;
 mod mixture;
 mod power;
 mod single_channel;

@@ -62,6 +62,36 @@ impl<'a> Audited<'a> {
         self.record.get().lookups > self.budget
     }
 
+    /// [`count`] under the majorants: one for all, or a tile of them.
+    #[inline(always)]
+    fn check(&self, t: &[f64], mu: &[f64]) -> (u64, u64) {
+        let (majorants, length, rounding) = (self.medium.majorants(), self.medium.length(), self.rounding);
+        if let &[bound] = majorants.mu_bar() {
+            let bound = bound * rounding;
+            return count(
+                t,
+                mu,
+                length,
+                #[inline(always)]
+                |_| bound,
+            );
+        }
+        let (mut bounds, mut sum) = ([0.0; 256], (0, 0));
+        for (t, mu) in t.chunks(256).zip(mu.chunks(256)) {
+            let bounds = &mut bounds[..t.len()];
+            majorants.mu_bar_tile(t, bounds);
+            let (out, over) = count(
+                t,
+                mu,
+                length,
+                #[inline(always)]
+                |i| bounds[i] * rounding,
+            );
+            sum = (sum.0 + out, sum.1 + over);
+        }
+        sum
+    }
+
     fn note(&self, lookups: usize, outside: u64, above: u64) {
         let more = Audit {
             lookups: lookups as u64,
@@ -76,14 +106,25 @@ impl<'a> Audited<'a> {
     }
 }
 
+/// Look-ups outside the ray, and those whose mu is not within its bound.
+#[inline(always)]
+fn count(t: &[f64], mu: &[f64], length: f64, bound: impl Fn(usize) -> f64) -> (u64, u64) {
+    let mut sum = (0, 0);
+    for (i, (&t, &mu)) in t.iter().zip(mu).enumerate() {
+        sum.0 += outside(t, length);
+        sum.1 += above(mu, bound(i));
+    }
+    sum
+}
+
 #[inline(always)]
 fn outside(t: f64, length: f64) -> u64 {
-    u64::from(!(t >= 0.0 && t <= length))
+    u64::from(!((t >= 0.0) & (t <= length))) // no &&: it would be a branch for each look-up
 }
 
 #[inline(always)]
 fn above(mu: f64, bound: f64) -> u64 {
-    u64::from(!(mu >= 0.0 && mu <= bound))
+    u64::from(!((mu >= 0.0) & (mu <= bound)))
 }
 
 impl Extinction for Audited<'_> {
@@ -112,21 +153,9 @@ impl Extinction for Audited<'_> {
 
     fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
         self.medium.mu_tile(t, mu);
-        let (majorants, length, rounding) = (self.medium.majorants(), self.medium.length(), self.rounding);
         let (out, over) = simd::dispatch(
             #[inline(always)]
-            || {
-                let (mut bound, mut sum) = ([0.0; 256], (0, 0));
-                for (t, mu) in t.chunks(256).zip(mu.chunks(256)) {
-                    let bound = &mut bound[..t.len()];
-                    majorants.mu_bar_tile(t, bound);
-                    for ((&t, &mu), &bound) in t.iter().zip(mu).zip(&*bound) {
-                        sum.0 += outside(t, length);
-                        sum.1 += above(mu, bound * rounding);
-                    }
-                }
-                sum
-            },
+            || self.check(t, mu),
         );
         self.note(t.len(), out, over);
         if self.spent() {

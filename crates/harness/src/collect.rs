@@ -225,6 +225,33 @@ pub struct Watch<'a> {
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
+/// A worker for each thread of the pool and one for a thread outside it, made when it is first wanted.
+struct Workers(Vec<Mutex<Option<Worker>>>);
+
+impl Workers {
+    fn new() -> Self {
+        let slots = rayon::current_num_threads() + 1;
+        Self((0..slots).map(|_| Mutex::new(None)).collect())
+    }
+
+    fn run(&self, subject: &Subject, plan: &Plan, key: Key) -> Result<BlockSums, String> {
+        let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
+        let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
+        let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
+        worker.run(subject, plan, key, key.block * BLOCK as u64)
+    }
+
+    /// The counts of all workers; none if nobody worked.
+    fn counts(self) -> Option<Counts> {
+        let slots = self.0.into_iter();
+        let workers = slots.filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
+        workers.map(|worker| worker.counts).reduce(|mut all, part| {
+            all.merge(part);
+            all
+        })
+    }
+}
+
 /// The draws of `blocks`, folded: the same for any number of threads.
 ///
 /// # Errors
@@ -236,34 +263,25 @@ pub fn collect(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
-    let threads = rayon::current_num_threads() + 1;
-    let workers: Vec<Mutex<Option<Worker>>> = (0..threads).map(|_| Mutex::new(None)).collect();
-    let mut collected = Collected::new(plan);
-    let mut start = blocks.start;
-    while start < blocks.end {
-        let end = if start + WAVE < blocks.end {
-            start + WAVE
-        } else {
-            blocks.end
+    let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
+    let cancelled = || watch.cancelled.load(Ordering::Relaxed);
+    let run = |block| {
+        let key = Key {
+            seed,
+            subject: subject.key,
+            block,
         };
-        let wave: Vec<Result<BlockSums, String>> = (start..end)
-            .into_par_iter()
-            .map(|block| {
-                let slot = &workers[rayon::current_thread_index().map_or(0, |i| i + 1)];
-                let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-                let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
-                if watch.cancelled.load(Ordering::Relaxed) {
-                    return Err(String::new());
-                }
-                let key = Key {
-                    seed,
-                    subject: subject.key,
-                    block,
-                };
-                worker.run(subject, plan, key, block * BLOCK as u64)
-            })
-            .collect();
-        if watch.cancelled.load(Ordering::Relaxed) {
+        if cancelled() {
+            Err(String::new())
+        } else {
+            workers.run(subject, plan, key)
+        }
+    };
+    while start < blocks.end {
+        let after = start + WAVE;
+        let end = if after < blocks.end { after } else { blocks.end };
+        let wave: Vec<_> = (start..end).into_par_iter().map(run).collect();
+        if cancelled() {
             return Err(Stopped::Cancelled);
         }
         for block in wave {
@@ -272,15 +290,6 @@ pub fn collect(
         (watch.progress)((end - start) * BLOCK as u64);
         start = end;
     }
-    let parts = workers
-        .into_iter()
-        .filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
-    let mut parts = parts.map(|worker| worker.counts);
-    if let Some(first) = parts.next() {
-        collected.counts = parts.fold(first, |mut all, part| {
-            all.merge(part);
-            all
-        });
-    }
+    collected.counts = workers.counts().unwrap_or_default();
     Ok(collected)
 }

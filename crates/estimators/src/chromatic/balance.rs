@@ -1,7 +1,10 @@
+use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Mixed, Probabilities};
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
+use crate::draws::Draws;
 use crate::parameter::ParameterError;
+use crate::random::Streams;
 
 /// A distance from one channel drawn at random, weighted by the balance heuristic over all of them (Veach and Guibas
 /// 1995; pbrt-v3).
@@ -46,6 +49,18 @@ impl From<Balance> for Mixed {
     }
 }
 
+impl Heuristic for Balance {
+    #[inline(always)]
+    fn add(&self, sum: f64, share: f64, _own: Own) -> f64 {
+        sum + share
+    }
+
+    #[inline(always)]
+    fn divisor(&self, sum: f64, _own: Own) -> f64 {
+        sum
+    }
+}
+
 impl ChromaticSampler for Balance {
     fn sample(&self, channels: &[Channel], rng: &mut dyn rand::Rng, weights: &mut [f64]) -> f64 {
         let n = channels.len();
@@ -58,6 +73,16 @@ impl ChromaticSampler for Balance {
             *weight = mixture::contribution(channel, t) / pdf;
         }
         t
+    }
+
+    fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
+        block::draws(
+            self,
+            channels,
+            &self.probabilities.all(channels.len()),
+            streams,
+            out,
+        );
     }
 
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {

@@ -1,7 +1,10 @@
+use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Mixed, Probabilities};
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
+use crate::draws::Draws;
 use crate::parameter::ParameterError;
+use crate::random::Streams;
 
 /// A distance from one channel drawn at random, weighted by the power heuristic of exponent 2 in the one-sample model
 /// (Veach and Guibas 1995).
@@ -59,6 +62,19 @@ impl From<Power> for Mixed {
     }
 }
 
+impl Heuristic for Power {
+    #[inline(always)]
+    fn add(&self, sum: f64, share: f64, own: Own) -> f64 {
+        let ratio = share / (own.probability * own.density); // lest small squares vanish
+        sum + ratio * ratio
+    }
+
+    #[inline(always)]
+    fn divisor(&self, sum: f64, own: Own) -> f64 {
+        own.probability * own.density * sum
+    }
+}
+
 impl ChromaticSampler for Power {
     fn sample(&self, channels: &[Channel], rng: &mut dyn rand::Rng, weights: &mut [f64]) -> f64 {
         let drawn = self.probabilities.draw(channels.len(), rng);
@@ -69,6 +85,16 @@ impl ChromaticSampler for Power {
             *weight = mixture::contribution(channel, t) / own / squares;
         }
         t
+    }
+
+    fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
+        block::draws(
+            self,
+            channels,
+            &self.probabilities.all(channels.len()),
+            streams,
+            out,
+        );
     }
 
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {

@@ -1,7 +1,10 @@
+use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Probabilities};
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
+use crate::draws::Draws;
 use crate::parameter::{self, ParameterError};
+use crate::random::Streams;
 
 /// A distance from one channel, divided by that channel's density alone: no heuristic.
 ///
@@ -96,6 +99,18 @@ impl From<SingleChannel> for Parameters {
     }
 }
 
+impl Heuristic for SingleChannel {
+    #[inline(always)]
+    fn add(&self, sum: f64, _share: f64, _own: Own) -> f64 {
+        sum
+    }
+
+    #[inline(always)]
+    fn divisor(&self, _sum: f64, own: Own) -> f64 {
+        own.density
+    }
+}
+
 impl ChromaticSampler for SingleChannel {
     fn sample(&self, channels: &[Channel], rng: &mut dyn rand::Rng, weights: &mut [f64]) -> f64 {
         let drawn = match self.channel {
@@ -108,6 +123,10 @@ impl ChromaticSampler for SingleChannel {
             *weight = mixture::contribution(channel, t) / pdf;
         }
         t
+    }
+
+    fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
+        block::draws(self, channels, &self.mixture(channels.len()), streams, out);
     }
 
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {

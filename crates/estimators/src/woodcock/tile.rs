@@ -11,6 +11,8 @@ use crate::simd;
 const TILE: usize = 256;
 const ROWS: usize = TILE / LANES;
 type Rows<T> = [[T; LANES]; ROWS];
+/// One bit for each slot, in words as wide as the numbers that set them: no narrowing in the vector loops.
+type Set = [u64; ROWS];
 
 /// As many walks as `out` has rows, a tile at a time: the law of [`super::walk`], other draws.
 pub fn walks<R: CollisionRule>(
@@ -53,7 +55,7 @@ pub fn walks<R: CollisionRule>(
     }
 }
 
-/// Slots of a tile; those from `len` on hold nothing.
+/// Slots of a tile; those from `len` on hold no walk, but like all they stand in a segment.
 struct Tile<S> {
     len: usize,
     t: Rows<f64>,
@@ -69,17 +71,17 @@ struct Tile<S> {
 }
 
 impl<S: Copy> Tile<S> {
+    /// Every slot free, at the start of the ray.
     #[inline(always)]
-    fn new(state: S) -> Self {
-        let (zeros, none) = ([[0.0; LANES]; ROWS], [0; TILE]);
-        let state = [[state; LANES]; ROWS];
+    fn new(state: S, rates: &Rates) -> Self {
+        let none = [0; TILE];
         Self {
             len: 0,
-            t: zeros,
-            mfp: zeros,
-            end: zeros,
-            control: zeros,
-            state,
+            t: [[0.0; LANES]; ROWS],
+            mfp: [[rates.mfp(0); LANES]; ROWS],
+            end: [[rates.end(0); LANES]; ROWS],
+            control: [[rates.control(0); LANES]; ROWS],
+            state: [[state; LANES]; ROWS],
             walk: none,
             born: none,
             segment: none,
@@ -90,36 +92,36 @@ impl<S: Copy> Tile<S> {
     #[inline(always)]
     fn start(&mut self, i: usize, walk: u32, pass: u32, state: S, rates: &Rates) {
         let (r, l) = (i / LANES, i % LANES);
+        self.t[r][l] = 0.0;
         self.state[r][l] = state;
         self.walk[i] = walk;
         self.born[i] = pass;
-        self.enter(i, 0, 0.0, rates);
+        self.stand(i, 0, rates);
     }
 
-    /// Puts slot `i` at `t` in segment `k`.
+    /// Puts slot `i` into segment `k`: often it is there already.
     #[inline(always)]
-    fn enter(&mut self, i: usize, k: usize, t: f64, rates: &Rates) {
-        let (r, l) = (i / LANES, i % LANES);
-        self.t[r][l] = t;
-        self.mfp[r][l] = rates.mfp(k);
-        self.end[r][l] = rates.end(k);
-        self.control[r][l] = rates.control(k);
-        self.segment[i] = k as u32;
+    fn stand(&mut self, i: usize, k: u32, rates: &Rates) {
+        if self.segment[i] != k {
+            let (r, l) = (i / LANES, i % LANES);
+            self.mfp[r][l] = rates.mfp(k as usize);
+            self.end[r][l] = rates.end(k as usize);
+            self.control[r][l] = rates.control(k as usize);
+            self.segment[i] = k;
+        }
     }
 
     /// Drops slot `i`; the last walk takes its place.
     #[inline(always)]
-    fn remove(&mut self, i: usize) {
+    fn remove(&mut self, i: usize, rates: &Rates) {
         self.len -= 1;
         let last = self.len;
         let (from, to) = ((last / LANES, last % LANES), (i / LANES, i % LANES));
-        for rows in [&mut self.t, &mut self.mfp, &mut self.end, &mut self.control] {
-            rows[to.0][to.1] = rows[from.0][from.1];
-        }
+        self.t[to.0][to.1] = self.t[from.0][from.1];
         self.state[to.0][to.1] = self.state[from.0][from.1];
-        for column in [&mut self.walk, &mut self.born, &mut self.segment] {
-            column[i] = column[last];
-        }
+        self.walk[i] = self.walk[last];
+        self.born[i] = self.born[last];
+        self.stand(i, self.segment[last], rates);
     }
 
     /// The rows that hold walks.
@@ -131,11 +133,11 @@ impl<S: Copy> Tile<S> {
 
 /// Calls `event` for each set slot below `len`, last first, so that slots may be removed on the way.
 #[inline(always)]
-fn for_each_set(set: &[u32; ROWS], len: usize, mut event: impl FnMut(usize)) {
+fn for_each_set(set: &Set, len: usize, mut event: impl FnMut(usize)) {
     for r in (0..len.div_ceil(LANES)).rev() {
         let above = (r + 1) * LANES;
         let absent = above.saturating_sub(len);
-        let mut bits = set[r] & (u32::MAX >> absent);
+        let mut bits = set[r] & (u64::from(u32::MAX) >> absent);
         while bits != 0 {
             let top = bits.ilog2();
             bits ^= 1 << top;
@@ -156,7 +158,7 @@ struct Flight<'a, R, U> {
 impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
     #[inline(always)]
     fn run(&mut self, out: &mut Draws) {
-        let mut tile = Tile::new(self.rule.start());
+        let mut tile = Tile::new(self.rule.start(), self.rates);
         let (mut mu, mut started, mut pass) = ([[0.0; LANES]; ROWS], 0, 0);
         self.refill(&mut tile, pass, &mut started, out.rows);
         while tile.len > 0 {
@@ -165,7 +167,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
             self.medium
                 .mu_tile(&tile.t.as_flattened()[..len], &mut mu.as_flattened_mut()[..len]);
             pass += 1;
-            self.collide(&mut tile, &mu, pass, out);
+            self.collide(&mut tile, &mu, pass, &mut started, out);
             self.refill(&mut tile, pass, &mut started, out.rows);
         }
     }
@@ -182,7 +184,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
     /// Moves every walk to its next tentative collision; those that leave the ray are written and dropped.
     #[inline(always)]
     fn fly(&mut self, tile: &mut Tile<R::State>, pass: u32, out: &mut Draws) {
-        let (mut u, mut set) = ([0.0; LANES], [0; ROWS]);
+        let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for (r, set) in set.iter_mut().enumerate().take(tile.rows()) {
             self.uniforms.fill(&mut u);
             let (t, mfp, end) = (&mut tile.t[r], &tile.mfp[r], &tile.end[r]);
@@ -200,7 +202,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
                     let state = tile.state[i / LANES][i % LANES];
                     let weight = self.rule.weight(state, true);
                     out.put(tile.walk[i] as usize, f64::INFINITY, weight, pass - tile.born[i]);
-                    tile.remove(i);
+                    tile.remove(i, self.rates);
                 }
             },
         );
@@ -222,14 +224,22 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
             t = self.rates.end(k) + depth * self.rates.mfp(k + 1);
             k += 1;
         }
-        tile.enter(i, k, t, self.rates);
+        tile.t[r][l] = t;
+        tile.stand(i, k as u32, self.rates);
         true
     }
 
-    /// One tentative collision for every walk; those that stop are written and dropped.
+    /// One tentative collision for every walk; those that stop are written, and the next start in their places.
     #[inline(always)]
-    fn collide(&mut self, tile: &mut Tile<R::State>, mu: &Rows<f64>, pass: u32, out: &mut Draws) {
-        let (mut u, mut set) = ([0.0; LANES], [0; ROWS]);
+    fn collide(
+        &mut self,
+        tile: &mut Tile<R::State>,
+        mu: &Rows<f64>,
+        pass: u32,
+        started: &mut usize,
+        out: &mut Draws,
+    ) {
+        let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for r in 0..tile.rows() {
             if R::DRAWS {
                 self.uniforms.fill(&mut u);
@@ -254,13 +264,14 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
             #[inline(always)]
             |i| {
                 let (t, state) = (tile.t[i / LANES][i % LANES], tile.state[i / LANES][i % LANES]);
-                out.put(
-                    tile.walk[i] as usize,
-                    t,
-                    self.rule.weight(state, false),
-                    pass - tile.born[i],
-                );
-                tile.remove(i);
+                let weight = self.rule.weight(state, false);
+                out.put(tile.walk[i] as usize, t, weight, pass - tile.born[i]);
+                if *started < out.rows {
+                    tile.start(i, *started as u32, pass, self.rule.start(), self.rates);
+                    *started += 1;
+                } else {
+                    tile.remove(i, self.rates);
+                }
             },
         );
     }

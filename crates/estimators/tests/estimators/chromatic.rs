@@ -4,6 +4,7 @@ use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::Constant;
 use freepath_estimators::random::Script;
+use freepath_estimators::simd::{self, Isa};
 use freepath_estimators::{Draws, Extinction, Key, Streams};
 
 const ROWS: usize = 200_000;
@@ -209,5 +210,28 @@ fn bad_parameters_and_channels_are_refused_by_name() {
         let json = serde_json::to_string(&sampler).unwrap();
         assert_eq!(named(&json), sampler, "a parameter is lost in {json}");
         assert!(!json.contains("null"), "{json}");
+    }
+}
+
+#[test]
+fn blocks_of_any_length_have_the_same_bits_on_every_instruction_set() {
+    let (media, albedo, samplers) = all().remove(0);
+    let channels = channels(&media, &albedo);
+    for sampler in samplers {
+        let block = |isa, rows| {
+            simd::limit(isa);
+            let mut draws = Draws::new(rows).with_t().with_channels(3);
+            sampler.sample_block(&channels, &streams(3), &mut draws);
+            let columns = draws.channels.iter().chain([&draws.t]);
+            columns
+                .flat_map(|column| column[..1003].iter().map(|x| x.to_bits()).collect::<Vec<_>>())
+                .collect::<Vec<u64>>()
+        };
+        let whole = block(Isa::Avx512, 2048);
+        assert!(whole.iter().all(|&bits| !f64::from_bits(bits).is_nan()));
+        for isa in Isa::ALL {
+            assert!(block(isa, 1003) == whole, "{sampler:?}, {}", isa.name());
+        }
+        simd::limit(Isa::Avx512);
     }
 }

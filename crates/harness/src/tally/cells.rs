@@ -71,8 +71,8 @@ fn locate(law: &Law, t: &[f64], index: &mut Vec<u32>) {
         #[inline(always)]
         || {
             for (index, &t) in index.iter_mut().zip(t) {
-                let inside = t >= 0.0 && t <= length;
-                let cell = (if inside { t * scale } else { 0.0 }) as i32 as u32;
+                let inside = (t >= 0.0) & (t <= length);
+                let cell = floor(if inside { t * scale } else { 0.0 });
                 let cell = if cell > last { last } else { cell };
                 let other = if t == f64::INFINITY { ESCAPE } else { NOWHERE };
                 *index = if inside { cell } else { other };
@@ -81,9 +81,28 @@ fn locate(law: &Law, t: &[f64], index: &mut Vec<u32>) {
     );
 }
 
+const INTEGERS: f64 = 4_503_599_627_370_496.0; // 2^52: adding it rounds to an integer and shows it in the low bits
+
+/// The integer part of 0 <= x < 2^31. A cast says the same, but it saturates, which not every vector unit can.
+#[inline(always)]
+fn floor(x: f64) -> u32 {
+    let near = x + INTEGERS;
+    let above = near - INTEGERS > x;
+    (near.to_bits() as u32).wrapping_sub(u32::from(above))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn floor_is_the_integer_part() {
+        for i in 0..100_000u32 {
+            let x = f64::from(i) * 0.125;
+            assert_eq!((floor(x), floor(x.next_up())), (i / 8, i / 8), "{x}");
+            assert_eq!(floor(f64::from(i + 1).next_down()), i);
+        }
+    }
 
     #[test]
     fn every_draw_is_counted_once() {

@@ -70,8 +70,8 @@ impl PowerSums {
                 total.greatest
             };
             total.n += u64::from(finite);
-            total.zeros += u64::from(x == 0.0);
-            total.ones += u64::from(x == 1.0);
+            total.zeros += u64::from(x.abs() <= 0.0);
+            total.ones += u64::from((x - 1.0).abs() <= 0.0);
         }
         for (sum, powers) in total.sums.iter_mut().zip(&powers) {
             *sum = math::sum(powers);

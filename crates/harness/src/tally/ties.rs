@@ -1,25 +1,20 @@
+use freepath_estimators::simd;
 use std::collections::HashMap;
+
+/// Draws whose hashes are tested together.
+const PART: usize = 32;
 
 /// Most values held.
 const HELD: usize = 1 << 16;
 
 /// Equal values among the draws, from those whose bit hash lies below a threshold that halves whenever too many are
 /// held: a choice by value, so that equal values stay together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TieTally {
     /// Bits of the values held, with repeats.
     held: Vec<u64>,
     /// Values are held if their hash is below 2^64 / 2^halvings.
     halvings: u32,
-}
-
-impl Default for TieTally {
-    fn default() -> Self {
-        Self {
-            held: Vec::new(),
-            halvings: 0,
-        }
-    }
 }
 
 #[inline(always)]
@@ -28,16 +23,46 @@ fn hash(bits: u64) -> u64 {
     (z ^ (z >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93)
 }
 
+/// Whether any hash is at most `threshold`.
+#[inline(always)]
+fn below(part: &[f64], threshold: u64) -> bool {
+    let mut any = false;
+    for t in part {
+        any |= hash(t.to_bits()) <= threshold;
+    }
+    any
+}
+
 impl TieTally {
     /// Takes in the finite draws of a column.
     pub fn observe(&mut self, t: &[f64]) {
-        for &t in t {
+        simd::dispatch(
+            #[inline(always)]
+            || {
+                for part in t.chunks(PART) {
+                    if below(part, self.threshold()) {
+                        self.hold(part);
+                    }
+                }
+            },
+        );
+    }
+
+    /// Rare once many draws are in.
+    #[cold]
+    fn hold(&mut self, part: &[f64]) {
+        for &t in part {
             let bits = t.to_bits();
-            if hash(bits) <= u64::MAX >> self.halvings && t.is_finite() {
+            if hash(bits) <= self.threshold() && t.is_finite() {
                 self.held.push(bits);
                 self.thin();
             }
         }
+    }
+
+    #[inline(always)]
+    fn threshold(&self) -> u64 {
+        u64::MAX >> self.halvings
     }
 
     /// Takes in what another worker holds. The outcome does not depend on who held what.
@@ -60,7 +85,7 @@ impl TieTally {
     }
 
     fn drop_above(&mut self) {
-        let threshold = u64::MAX >> self.halvings;
+        let threshold = self.threshold();
         self.held.retain(|&bits| hash(bits) <= threshold);
     }
 
