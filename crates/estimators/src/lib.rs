@@ -2,6 +2,23 @@
 //!
 //! No input or output, no statistics, no case files. An estimator sees an [`Extinction`] and its random numbers; only the
 //! harness sees the [`Medium`], which knows the optical depth.
+//!
+//! ```
+//! use freepath_estimators::free_path::DeltaTracking;
+//! use freepath_estimators::medium::Gaussian;
+//! use freepath_estimators::{Extinction, FreePathSampler, Key, Medium};
+//!
+//! // A bump of height 4 at 0.9, of width 0.25, on a ray of length 2, over no base.
+//! let medium = Gaussian::new(4.0, 0.9, 0.25, 2.0, 0.0)?;
+//! let key = Key { seed: 1, subject: 0, block: 0 };
+//! let path = DeltaTracking::default().sample(&medium, &mut key.rng());
+//! assert!(path.t == f64::INFINITY || path.t < medium.length());
+//!
+//! // The escape probability, which no sampler may see.
+//! let transmittance = (-medium.tau(medium.length())).exp();
+//! assert!((transmittance - 0.0816).abs() < 1e-4);
+//! # Ok::<(), freepath_estimators::ParameterError>(())
+//! ```
 
 pub mod chromatic;
 pub mod claims;

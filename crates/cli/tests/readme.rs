@@ -1,0 +1,143 @@
+//! The README says what is true: its commands run, its case and its code are those of the examples, and it leaves no
+//! name out.
+
+use freepath_estimators::medium::AnyMedium;
+use freepath_harness::case::{CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::fault::Fault;
+use freepath_harness::verdict::Reason;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn text(file: &str) -> String {
+    fs::read_to_string(root().join(file)).unwrap_or_else(|why| panic!("{file}: {why}"))
+}
+
+/// The blocks of the README in `language`.
+fn blocks(language: &str) -> Vec<String> {
+    let readme = text("README.md");
+    let opened = format!("```{language}\n");
+    let after = readme.split(&opened).skip(1);
+    after
+        .map(|rest| rest.split("```").next().unwrap_or(rest).to_string())
+        .collect()
+}
+
+/// The binary, run at the root.
+fn freepath(args: &[String], variables: &[(&str, &str)]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_freepath"));
+    command.current_dir(root()).args(args).env_remove("FREEPATH_ISA");
+    command.envs(variables.iter().copied()).output().unwrap()
+}
+
+/// The arguments of `rest`, with the report going to `folder`; fewer draws will do to see that a command is sound.
+fn arguments(rest: &str, folder: &str) -> Vec<String> {
+    let mut args: Vec<String> = rest.split_whitespace().map(String::from).collect();
+    if args[0] == "run" && !args.iter().any(|arg| arg == "--help") {
+        let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+        args.extend(["--out".into(), out.display().to_string(), "--quick".into()]);
+    }
+    args
+}
+
+#[test]
+fn every_command_runs() {
+    let commands = blocks("sh").concat();
+    let mut runs = 0;
+    for line in commands.lines() {
+        let Some((variables, rest)) = line.split_once("cargo run --release -- ") else {
+            assert_eq!(line, "cargo test --workspace", "an unknown command");
+            continue;
+        };
+        let variables: Vec<_> = variables
+            .split_whitespace()
+            .map(|set| set.split_once('=').unwrap())
+            .collect();
+        let done = freepath(&arguments(rest, "readme"), &variables);
+        assert!(
+            done.status.success(),
+            "{line}: {}",
+            String::from_utf8_lossy(&done.stderr)
+        );
+        runs += 1;
+    }
+    assert!(runs >= 5, "only {runs} commands were found");
+}
+
+#[test]
+fn the_case_is_the_example_and_can_be_prepared() {
+    let cases = blocks("json");
+    assert!(!cases.is_empty());
+    for case in &cases {
+        assert_eq!(case, &text("examples/fog.json"));
+        let path = root().join("examples/fog.json");
+        let prepared =
+            CaseFile::parse(&path, case.as_str()).and_then(|file| file.prepare(&Limits::default()));
+        assert_eq!(
+            prepared.unwrap_or_else(|why| panic!("{why}"))[0].subjects.len(),
+            4
+        );
+    }
+}
+
+#[test]
+fn the_transcript_of_the_case_is_real() {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("transcript");
+    let args = ["run", "examples/fog.json", "--out", &out.display().to_string()];
+    let done = freepath(&args.map(String::from), &[]);
+    let said = String::from_utf8(done.stdout).unwrap();
+    let (said, _) = said.split_once("report: ").unwrap();
+    let shown = blocks("text");
+    assert!(
+        shown.iter().any(|block| block.starts_with(said)),
+        "paste this into README.md:\n{said}"
+    );
+}
+
+#[test]
+fn the_code_is_that_of_the_example() {
+    let source = text("examples/own_sampler/src/lib.rs") + &text("examples/own_sampler/tests/verify.rs");
+    let code = blocks("rust");
+    assert!(!code.is_empty());
+    for block in &code {
+        assert!(source.contains(block), "not in examples/own_sampler:\n{block}");
+    }
+}
+
+#[test]
+fn every_name_is_told() {
+    let readme = text("README.md");
+    let subjects = [
+        FreePathSubject::names(),
+        TransmittanceSubject::names(),
+        ChromaticSubject::NAMES,
+        AnyMedium::NAMES,
+    ];
+    let names = subjects.into_iter().flatten().copied();
+    let faults = Fault::NAMES.iter().map(|(name, _)| *name);
+    let reasons = Reason::ALL.iter().map(|reason| reason.code());
+    for name in names.chain(faults).chain(reasons) {
+        assert!(
+            readme.contains(&format!("`{name}`")),
+            "README.md does not tell of {name}"
+        );
+    }
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    for file in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
+        let page = text(file);
+        let links = page
+            .split("](")
+            .skip(1)
+            .map(|rest| rest.split(')').next().unwrap_or(""));
+        for link in links.filter(|link| !link.starts_with("http") && !link.starts_with("reports/gallery/")) {
+            assert!(root().join(link).exists(), "{file} links to {link}");
+        }
+    }
+}
