@@ -61,13 +61,15 @@ fn all(full: bool) -> Result<(), Box<dyn std::error::Error>> {
     machine()?;
     table::print(ROUNDS, "")?;
     judging::print(ROUNDS)?;
-    let [baseline, avx2, avx512] = check::floors(ROUNDS);
-    println!("floor, ns per step: baseline {baseline:.2}, AVX2 {avx2:.2}, AVX-512 {avx512:.2}");
-    println!(
-        "floor AVX2 / baseline {:.2}, AVX-512 / AVX2 {:.2}",
-        avx2 / baseline,
-        avx512 / avx2
-    );
+    let floors = check::floors(ROUNDS);
+    println!("floor, ns per step, and against the baseline:");
+    for (isa, ns) in Isa::ALL
+        .into_iter()
+        .zip(floors)
+        .filter(|(isa, _)| *isa <= simd::detect())
+    {
+        println!("    {:<9} {ns:.2} {:.2}", isa.name(), ns / floors[0]);
+    }
     let sizes = [10_000_000, 1_000_000_000];
     judging::print_peaks(if full { &sizes } else { &sizes[..1] })
 }
