@@ -97,6 +97,18 @@ fn bits(x: &[f64]) -> [u64; 3] {
     std::array::from_fn(|i| x[i].to_bits())
 }
 
-const PINNED_BLOCK: [u64; 3] = [0, 0, 0];
-const PINNED_SCALAR: [u64; 3] = [0, 0, 0];
-const PINNED_RATIO: [u64; 3] = [0, 0, 0];
+const PINNED_BLOCK: [u64; 3] = [
+    0x3fec_8f2d_f272_12fc,
+    0x7ff0_0000_0000_0000,
+    0x3fec_3daa_ca77_36bd,
+];
+const PINNED_SCALAR: [u64; 3] = [
+    0x3fe3_42f8_155b_710a,
+    0x3fee_fcd4_760c_2b24,
+    0x3fe6_7e4a_952f_1ea4,
+];
+const PINNED_RATIO: [u64; 3] = [
+    0x3fd1_781b_058f_cba5,
+    0x3fb8_9b91_0136_1927,
+    0x3fec_8fea_6b34_7ea1,
+];
