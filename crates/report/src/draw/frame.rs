@@ -132,11 +132,15 @@ impl Picture {
         }
     }
 
-    /// A curve through all pairs that can be placed, in as many pieces as gaps leave.
+    /// A curve through all pairs that can be placed, in as many pieces as gaps leave, without what lies outside.
     pub(crate) fn curve(&mut self, frame: &Frame, pairs: &[Point], stroke: Stroke) {
-        let mut piece = Vec::new();
+        let (mut piece, mut before) = (Vec::new(), 0);
         for &(x, y) in pairs {
+            let side = i32::from(y > frame.y.hi) - i32::from(y < frame.y.lo);
+            let gone = side != 0 && side == before;
+            before = side;
             match frame.point(x, y) {
+                Some(point) if gone => self.line(std::mem::replace(&mut piece, vec![point]), stroke),
                 Some(point) => piece.push(point),
                 None => self.line(std::mem::take(&mut piece), stroke),
             }

@@ -10,22 +10,22 @@ use freepath_harness::verdict::{Reason, Verdict};
 use serde_json::{Value, json};
 
 /// Draws in stage 1.
-pub const DRAWS: u64 = 1 << 20;
+pub(crate) const DRAWS: u64 = 1 << 20;
 
 /// A subject before it has results.
-pub struct Plan {
-    pub estimator: &'static str,
-    pub kind: &'static str,
-    pub name: String,
-    pub parameters: Value,
+pub(crate) struct Plan {
+    pub(crate) estimator: &'static str,
+    pub(crate) kind: &'static str,
+    pub(crate) name: String,
+    pub(crate) parameters: Value,
     /// Size of the bias, relative for a mean, absolute for a law.
-    pub bias: f64,
+    pub(crate) bias: f64,
     /// Variance of one draw over T^2, or look-ups times this.
-    pub variance: f64,
-    pub lookups: f64,
-    pub fault: Option<&'static str>,
+    pub(crate) variance: f64,
+    pub(crate) lookups: f64,
+    pub(crate) fault: Option<&'static str>,
     /// Rule, steps, order.
-    pub order: Option<(&'static str, u64, f64)>,
+    pub(crate) order: Option<(&'static str, u64, f64)>,
 }
 
 impl Plan {
@@ -76,7 +76,7 @@ impl Plan {
 }
 
 /// The subjects of the `i`th medium.
-pub fn of(medium: &Medium, i: usize, noise: &mut Noise) -> Vec<SubjectResult> {
+pub(crate) fn of(medium: &Medium, i: usize, noise: &mut Noise) -> Vec<SubjectResult> {
     plans(medium, i)
         .into_iter()
         .map(|plan| subject(medium, i, &plan, noise))
@@ -115,7 +115,7 @@ fn plans(medium: &Medium, i: usize) -> Vec<Plan> {
         )
         .cost(0.3 * spread, 1.9 * tau),
     ];
-    if i % 4 == 0 {
+    if i.is_multiple_of(4) {
         all.push(Plan::new("free_path", "regular_tracking", json!({"cells": "constant"})).cost(1.0, 2.6));
     }
     if matches!(i, 1 | 3 | 5) {
@@ -274,7 +274,7 @@ fn judge(result: &mut SubjectResult, plan: &Plan, noise: &mut Noise) {
 }
 
 /// One test of stage 1.
-pub fn test(name: &str, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> TestResult {
+pub(crate) fn test(name: &str, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> TestResult {
     let adjusted = (1482.0 * p).min(1.0);
     TestResult {
         name: name.into(),

@@ -7,7 +7,7 @@ use freepath_harness::real::Real;
 use freepath_harness::results::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries, SubjectResult};
 use freepath_harness::verdict::Reason;
 
-pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
+pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     let n = DRAWS as f64;
     let (escape, band) = (medium.escape(), 2.0 / libm::sqrt(n));
     let law: Vec<f64> = medium.channels[0]
@@ -79,7 +79,9 @@ pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mu
 }
 
 fn at(medium: &Medium, values: &[f64], share: f64) -> f64 {
-    values[((medium.t.len() - 1) as f64 * share) as usize]
+    let place = (medium.t.len() - 1) as f64 * share;
+    let i = (place as usize).min(medium.t.len() - 2);
+    values[i] + (place - i as f64) * (values[i + 1] - values[i])
 }
 
 fn histogram(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {

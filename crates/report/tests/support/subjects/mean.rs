@@ -7,7 +7,7 @@ use freepath_harness::real::Real;
 use freepath_harness::results::{ChannelResult, Efficiency, MeanResult, RunningSeries, SubjectResult};
 use freepath_harness::verdict::Reason;
 
-pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
+pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     if plan.kind == "chromatic" {
         return channels(result, medium, noise);
     }
