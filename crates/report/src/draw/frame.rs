@@ -77,8 +77,11 @@ impl Picture {
         );
         let middle = (0.5 * (frame.left + frame.right), frame.bottom + 34.0);
         self.text(middle, frame.x.label.clone(), SIZE, Ink::Text, Align::Center);
+        // A label that is wider than its panel starts further left.
+        let last = self.width - width_of(&frame.y.label, SIZE) - 4.0;
+        let left = if frame.left > last { last } else { frame.left };
         self.text(
-            (frame.left, frame.top - 15.0),
+            (left, frame.top - 15.0),
             frame.y.label.clone(),
             SIZE,
             Ink::Text,

@@ -5,7 +5,10 @@ use super::{Figure, WIDTH, span};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Mark, Picture, SMALL, Stroke, width_of};
 use crate::number::short;
 use crate::text::clean;
+use std::collections::BTreeMap;
 
+/// Most names in a sentence.
+const MOST_NAMED: usize = 12;
 /// Height of a row.
 const ROW: f64 = 24.0;
 /// Where the rows begin.
@@ -39,19 +42,29 @@ fn exact(costs: &[Cost]) -> String {
     }
 }
 
+/// Each refusal with those that it concerns.
 fn refused(costs: &[Cost]) -> String {
-    let all = costs
+    let mut groups: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for cost in costs
         .iter()
-        .filter(|c| !c.efficiency.ranked && !c.efficiency.exact);
-    let names: Vec<_> = all
-        .take(30)
-        .map(|c| format!("{} ({})", clean(&c.name, 40), clean(&c.efficiency.refusal, 80)))
-        .collect();
-    if names.is_empty() {
-        String::new()
-    } else {
-        format!(" Not ranked: {}.", names.join("; "))
+        .filter(|c| !c.efficiency.ranked && !c.efficiency.exact)
+    {
+        groups
+            .entry(&cost.efficiency.refusal)
+            .or_default()
+            .push(clean(&cost.name, 40));
     }
+    let each = |(why, mut names): (&str, Vec<String>)| {
+        let more = names.len().saturating_sub(MOST_NAMED);
+        names.truncate(MOST_NAMED);
+        let rest = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        format!(" Not ranked ({}): {}{rest}.", clean(why, 120), names.join(", "))
+    };
+    groups.into_iter().take(6).map(each).collect()
 }
 
 fn picture(costs: &[Cost], title: &str) -> Picture {
