@@ -92,7 +92,7 @@
     svg.querySelector(".hair")?.remove();
     output.textContent = "";
     if (!panel) return;
-    const parts = [`${panel.x.label.split(",")[0]}: ${digits(value(panel.x, at.x))}`];
+    const parts = [`${panel.x.label.split(",")[0] || "t"}: ${digits(value(panel.x, at.x))}`];
     for (const [colour, name] of plot.names) {
       const point = nearest(svg, panel, colour, at.x);
       if (point) parts.push(`${name}: ${digits(value(panel.y, point[1]))}`);

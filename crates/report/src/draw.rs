@@ -161,6 +161,17 @@ impl Picture {
         });
     }
 
+    /// A hollow marker large enough to be seen around another.
+    pub(crate) fn ring(&mut self, at: Point, mark: Mark, ink: Ink) {
+        self.shapes.push(Shape::Mark {
+            at,
+            mark,
+            ink,
+            radius: 7.0,
+            hollow: true,
+        });
+    }
+
     pub(crate) fn text(&mut self, at: Point, text: impl Into<String>, size: f64, ink: Ink, align: Align) {
         self.shapes.push(Shape::Text {
             at,

@@ -60,7 +60,7 @@ impl Options {
         let site = site::Site::new(results, self.own(timings));
         let figures = figures::of(&site);
         save::plots(&figures, self, &out.join("plots"))?;
-        let page = page::html(&site, &figures, &self.id(results, timings)?)?;
+        let page = page::html(&site, &figures, &self.id(results, timings)?, self)?;
         save::atomically(&out.join("index.html"), page.as_bytes())
     }
 
@@ -70,7 +70,7 @@ impl Options {
     /// If a plot cannot be drawn.
     pub fn html(&self, results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {
         let site = site::Site::new(results, self.own(timings));
-        page::html(&site, &figures::of(&site), &self.id(results, timings)?)
+        page::html(&site, &figures::of(&site), &self.id(results, timings)?, self)
     }
 
     fn id(&self, results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {

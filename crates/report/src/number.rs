@@ -13,18 +13,17 @@ pub(crate) fn digits(x: f64, n: usize) -> String {
     if x.is_infinite() {
         return if x > 0.0 { "∞" } else { "−∞" }.into();
     }
-    let exponent = exponent(x);
+    // Rounded first: 9.9996 is 10.0, with another exponent.
+    let rounded = format!("{x:.*e}", n.saturating_sub(1));
+    let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    let exponent = exponent.parse::<i32>().unwrap_or(0);
     let text = match exponent {
         _ if !(x.abs() > 0.0) => "0".into(),
         -3..5 => trimmed(&format!(
             "{x:.*}",
             usize::try_from(n as i32 - 1 - exponent).unwrap_or(0)
         )),
-        _ => format!(
-            "{}×{}",
-            trimmed(&format!("{:.*}", n.saturating_sub(1), mantissa(x, exponent))),
-            power(exponent)
-        ),
+        _ => format!("{}×{}", trimmed(mantissa), power(exponent)),
     };
     text.replace('-', "−")
 }
@@ -40,11 +39,6 @@ pub(crate) fn exponent(x: f64) -> i32 {
 /// 10^n without the loss that a subnormal divisor would bring.
 pub(crate) fn ten(n: i32) -> f64 {
     libm::pow(10.0, f64::from(n))
-}
-
-fn mantissa(x: f64, exponent: i32) -> f64 {
-    let half = exponent / 2;
-    x / ten(half) / ten(exponent - half)
 }
 
 /// Without trailing zeros after a point.
@@ -80,7 +74,7 @@ pub(crate) fn count(n: u64) -> String {
     let plain = n.to_string();
     let mut text = String::new();
     for (i, c) in plain.chars().enumerate() {
-        if i > 0 && (plain.len() - i) % 3 == 0 {
+        if i > 0 && (plain.len() - i).is_multiple_of(3) {
             text.push(',');
         }
         text.push(c);
@@ -125,7 +119,7 @@ mod tests {
             "not a number",
             "∞",
             "4.94×10⁻³²⁴",
-            "1×10⁻³",
+            "0.001",
         ];
         assert_eq!(text, want);
         assert_eq!(

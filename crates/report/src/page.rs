@@ -9,12 +9,12 @@ mod summary;
 mod table;
 mod words;
 
-use crate::ReportError;
 use crate::digest::{base64, sha256};
 use crate::draw::FONT;
 use crate::figures::Figures;
 use crate::site::Site;
 use crate::text::script_json;
+use crate::{Options, ReportError};
 use askama::Template;
 use case::CaseView;
 use controls::ControlRow;
@@ -40,10 +40,18 @@ struct Page {
     controls: Vec<ControlRow>,
     rows: Vec<Row>,
     cases: Vec<CaseView>,
+    /// Which files lie beside the page.
+    png: bool,
+    svg: bool,
 }
 
 /// The whole page as HTML.
-pub(crate) fn html(site: &Site, figures: &Figures, run: &str) -> Result<String, ReportError> {
+pub(crate) fn html(
+    site: &Site,
+    figures: &Figures,
+    run: &str,
+    options: &Options,
+) -> Result<String, ReportError> {
     let rows: Vec<Row> = site.subjects.iter().map(|s| Row::new(site, s)).collect();
     let cases = (0..site.cases.len())
         .into_par_iter()
@@ -60,6 +68,8 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str) -> Result<String, 
         controls: controls::rows(site),
         rows,
         cases: cases.collect::<Result<_, _>>()?,
+        png: options.png,
+        svg: options.svg,
     };
     page.render().map_err(|e| ReportError::Page(e.to_string()))
 }

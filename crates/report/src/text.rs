@@ -61,13 +61,18 @@ fn slug(text: &str) -> String {
     }
 }
 
-/// `value` as JSON that may stand inside a script element.
+/// `value` as JSON that may stand inside a script element: plain ASCII without `<`, `>` and `&`.
 pub(crate) fn script_json(value: &serde_json::Value) -> String {
     let mut out = String::new();
     for c in value.to_string().chars() {
-        match c {
-            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => out.push_str(&format!("\\u{:04x}", u32::from(c))),
-            c => out.push(c),
+        if c.is_ascii() && !matches!(c, '<' | '>' | '&') {
+            out.push(c);
+        } else {
+            out.extend(
+                c.encode_utf16(&mut [0; 2])
+                    .iter()
+                    .map(|unit| format!("\\u{unit:04x}")),
+            );
         }
     }
     out

@@ -77,8 +77,11 @@ impl Picture {
         );
         let middle = (0.5 * (frame.left + frame.right), frame.bottom + 34.0);
         self.text(middle, frame.x.label.clone(), SIZE, Ink::Text, Align::Center);
+        // A label that is wider than its panel starts further left.
+        let last = self.width - width_of(&frame.y.label, SIZE) - 4.0;
+        let left = if frame.left > last { last } else { frame.left };
         self.text(
-            (frame.left, frame.top - 15.0),
+            (left, frame.top - 15.0),
             frame.y.label.clone(),
             SIZE,
             Ink::Text,
@@ -132,11 +135,15 @@ impl Picture {
         }
     }
 
-    /// A curve through all pairs that can be placed, in as many pieces as gaps leave.
+    /// A curve through all pairs that can be placed, in as many pieces as gaps leave, without what lies outside.
     pub(crate) fn curve(&mut self, frame: &Frame, pairs: &[Point], stroke: Stroke) {
-        let mut piece = Vec::new();
+        let (mut piece, mut before) = (Vec::new(), 0);
         for &(x, y) in pairs {
+            let side = i32::from(y > frame.y.hi) - i32::from(y < frame.y.lo);
+            let gone = side != 0 && side == before;
+            before = side;
             match frame.point(x, y) {
+                Some(point) if gone => self.line(std::mem::replace(&mut piece, vec![point]), stroke),
                 Some(point) => piece.push(point),
                 None => self.line(std::mem::take(&mut piece), stroke),
             }

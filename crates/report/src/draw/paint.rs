@@ -48,7 +48,11 @@ fn paint<B: DrawingBackend>(
         return Err(ReportError::Draw("the built-in font is not readable".into()));
     }
     let area = backend.into_drawing_area();
-    let painter = Painter { area, density };
+    let painter = Painter {
+        area,
+        density,
+        marks_dashes: !fill,
+    };
     if fill {
         painter.area.fill(&WHITE).map_err(failed)?;
     }
@@ -65,6 +69,8 @@ fn failed(cause: impl std::fmt::Display) -> ReportError {
 struct Painter<B: DrawingBackend> {
     area: DrawingArea<B, Shift>,
     density: f64,
+    /// Leave dashes to SVG, which sees them by an odd width: as pieces they would be most of a file.
+    marks_dashes: bool,
 }
 
 impl<B: DrawingBackend> Painter<B> {
@@ -97,19 +103,29 @@ impl<B: DrawingBackend> Painter<B> {
     }
 
     fn line(&self, points: &[Point], stroke: Stroke) -> Result<(), ReportError> {
-        let width = libm::round(stroke.width * self.density).max(1.0) as u32;
+        let width = self.width(stroke);
         let style = color(stroke.ink).stroke_width(width);
-        let pieces = if stroke.dashed {
-            dashes(points)
-        } else {
+        let whole = !stroke.dashed || self.marks_dashes;
+        let pieces = if whole {
             vec![points.to_vec()]
+        } else {
+            dashes(points)
         };
         for piece in pieces {
-            let mut path: Vec<_> = piece.into_iter().map(|p| self.at(p)).collect();
-            path.dedup();
+            let path = corners(piece.into_iter().map(|p| self.at(p)));
             self.area.draw(&PathElement::new(path, style)).map_err(failed)?;
         }
         Ok(())
+    }
+
+    /// In whole pixels; where dashes are marked, odd widths are theirs alone.
+    fn width(&self, stroke: Stroke) -> u32 {
+        let pixels = stroke.width * self.density;
+        if self.marks_dashes {
+            2 * (libm::round(0.5 * pixels) as u32) + u32::from(stroke.dashed)
+        } else {
+            libm::round(pixels) as u32
+        }
     }
 
     fn polygon(&self, points: &[Point], ink: Ink, alpha: f64) -> Result<(), ReportError> {
@@ -174,6 +190,27 @@ impl<B: DrawingBackend> Painter<B> {
             .draw(&Text::new(text, self.at(at), style))
             .map_err(failed)
     }
+}
+
+/// A path without the points that lie between their neighbours on a straight line.
+fn corners(points: impl Iterator<Item = (i32, i32)>) -> Vec<(i32, i32)> {
+    let mut path: Vec<(i32, i32)> = vec![];
+    for point in points {
+        while let [.., a, b] = path[..] {
+            let (first, second) = (
+                (i64::from(b.0 - a.0), i64::from(b.1 - a.1)),
+                (i64::from(point.0 - b.0), i64::from(point.1 - b.1)),
+            );
+            let straight = first.0 * second.1 == first.1 * second.0;
+            let onward = first.0 * second.0 + first.1 * second.1 >= 0;
+            if !(straight && onward) {
+                break;
+            }
+            path.pop();
+        }
+        path.push(point);
+    }
+    path
 }
 
 fn color(ink: Ink) -> RGBColor {

@@ -48,7 +48,11 @@ fn body(picture: &Picture) -> Result<String, ReportError> {
     let raw = raw_svg(picture)?;
     let inner = raw.split_once(">\n").map_or("", |(_, rest)| rest);
     let inner = inner.trim_end().trim_end_matches("</svg>");
-    Ok(inner
+    let dashed = (0..12).map(|i| 2 * i + 1).fold(inner.to_string(), |text, odd| {
+        let even = format!(r#"stroke-width="{}" stroke-dasharray="32 20""#, odd - 1);
+        text.replace(&format!(r#"stroke-width="{odd}""#), &even)
+    });
+    Ok(dashed
         .replace("\n</text>\n", "</text>\n")
         .replace(" opacity=\"1\"", "")
         .replace(" stroke=\"none\"", "")

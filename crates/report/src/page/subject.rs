@@ -93,7 +93,10 @@ fn measures(subject: &Subject) -> Vec<String> {
                 .map(|line| name.clone() + &line.to_lowercase()),
         );
     }
-    lines.push(words::audit(result));
+    let time = subject
+        .seconds
+        .map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
+    lines.push(words::audit(result) + &time);
     lines
 }
 

@@ -48,8 +48,8 @@ fn headline(all: usize, surprises: usize) -> String {
 fn lead(site: &Site, controls: usize) -> String {
     let planted = match controls {
         0 => String::new(),
-        1 => " One of them carries a planted fault, which must be caught.".into(),
-        n => format!(" {n} of them carry planted faults, which must be caught."),
+        1 => " One subject carries a planted fault, which must be caught.".into(),
+        n => format!(" {n} subjects carry planted faults, which must be caught."),
     };
     format!(
         "Each free-path sampler and transmittance estimator was put to every claim that it makes, in {} media.{planted} \

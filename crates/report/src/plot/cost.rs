@@ -61,7 +61,7 @@ fn picture(costs: &[Cost], title: &str) -> Picture {
     let keys: Vec<Key> = shown
         .iter()
         .enumerate()
-        .map(|(i, c)| key(i, &clean(&c.name, 36)))
+        .map(|(i, c)| key(i, &clean(&c.name, 46)))
         .collect();
     let rows = picture.legend_height(&keys, 12.0);
     picture.height = 310.0 + rows;

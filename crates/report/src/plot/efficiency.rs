@@ -5,9 +5,14 @@ use super::{Figure, WIDTH, span};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Mark, Picture, SMALL, Stroke, width_of};
 use crate::number::short;
 use crate::text::clean;
+use std::collections::BTreeMap;
 
+/// Most names in a sentence.
+const MOST_NAMED: usize = 12;
 /// Height of a row.
 const ROW: f64 = 24.0;
+/// Where the rows begin.
+const TOP: f64 = 34.0;
 
 /// Ranked estimators, best first; the others are told in words.
 pub(crate) fn figure(costs: &[Cost], title: &str) -> Figure {
@@ -37,33 +42,33 @@ fn exact(costs: &[Cost]) -> String {
     }
 }
 
+/// Each refusal with those that it concerns.
 fn refused(costs: &[Cost]) -> String {
-    let all = costs
+    let mut groups: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for cost in costs
         .iter()
-        .filter(|c| !c.efficiency.ranked && !c.efficiency.exact);
-    let names: Vec<_> = all
-        .take(30)
-        .map(|c| format!("{} ({})", clean(&c.name, 40), clean(&c.efficiency.refusal, 80)))
-        .collect();
-    if names.is_empty() {
-        String::new()
-    } else {
-        format!(" Not ranked: {}.", names.join("; "))
+        .filter(|c| !c.efficiency.ranked && !c.efficiency.exact)
+    {
+        groups
+            .entry(&cost.efficiency.refusal)
+            .or_default()
+            .push(clean(&cost.name, 40));
     }
+    let each = |(why, mut names): (&str, Vec<String>)| {
+        let more = names.len().saturating_sub(MOST_NAMED);
+        names.truncate(MOST_NAMED);
+        let rest = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        format!(" Not ranked ({}): {}{rest}.", clean(why, 120), names.join(", "))
+    };
+    groups.into_iter().take(6).map(each).collect()
 }
 
 fn picture(costs: &[Cost], title: &str) -> Picture {
-    let mut ranked: Vec<&Cost> = costs
-        .iter()
-        .filter(|c| c.efficiency.ranked && c.per_lookup().is_some())
-        .collect();
-    ranked.sort_by(|a, b| {
-        b.per_lookup()
-            .map(|e| e.1)
-            .partial_cmp(&a.per_lookup().map(|e| e.1))
-            .unwrap_or(std::cmp::Ordering::Equal)
-    });
-    ranked.truncate(40);
+    let ranked = ranked(costs);
     let labels: Vec<String> = ranked.iter().map(|c| clean(&c.name, 36)).collect();
     let left = labels.iter().map(|l| width_of(l, SMALL)).fold(60.0, f64::max) + 18.0;
     let height = 84.0 + ROW * ranked.len().max(1) as f64;
@@ -72,43 +77,45 @@ fn picture(costs: &[Cost], title: &str) -> Picture {
     let middle = if timed { 0.5 * (WIDTH + left) } else { WIDTH };
     let inset = Inset {
         left,
-        top: 34.0,
+        top: TOP,
         right: WIDTH - middle + 22.0,
         bottom: 44.0,
     };
-    panel(
-        &mut picture,
-        &ranked,
-        inset,
-        "in look-ups",
-        |c| c.per_lookup(),
-        Ink::Blue,
-    );
+    panel(&mut picture, &ranked, inset, ("in look-ups", Ink::Blue), |c| {
+        c.per_lookup()
+    });
     if timed {
         let inset = Inset {
             left: middle + 18.0,
             right: 22.0,
             ..inset
         };
-        panel(
-            &mut picture,
-            &ranked,
-            inset,
-            "in seconds",
-            |c| c.per_second(),
-            Ink::Green,
-        );
+        panel(&mut picture, &ranked, inset, ("in seconds", Ink::Green), |c| {
+            c.per_second()
+        });
     }
     for (i, label) in labels.into_iter().enumerate() {
-        let y = 34.0 + ROW * (i as f64 + 0.5);
+        let y = TOP + ROW * (i as f64 + 0.5);
         picture.text((left - 10.0, y), label, SMALL, Ink::Text, Align::Right);
     }
     picture
 }
 
+/// Those that may stand in a ranking, best first.
+fn ranked<'a>(costs: &'a [Cost<'a>]) -> Vec<&'a Cost<'a>> {
+    let efficiency = |c: &Cost| c.per_lookup().map_or(0.0, |e| e.1);
+    let mut ranked: Vec<&Cost> = costs
+        .iter()
+        .filter(|c| c.efficiency.ranked && c.per_lookup().is_some())
+        .collect();
+    ranked.sort_by(|a, b| efficiency(b).total_cmp(&efficiency(a)));
+    ranked.truncate(40);
+    ranked
+}
+
 type Measure = fn(&Cost) -> Option<(f64, f64, f64)>;
 
-fn panel(picture: &mut Picture, ranked: &[&Cost], inset: Inset, label: &str, of: Measure, ink: Ink) {
+fn panel(picture: &mut Picture, ranked: &[&Cost], inset: Inset, (label, ink): (&str, Ink), of: Measure) {
     let ends = span(
         ranked
             .iter()
@@ -145,8 +152,8 @@ fn bar(picture: &mut Picture, frame: &Frame, (lo, mid, hi): (f64, f64, f64), y: 
     }
     picture.mark((x, y), Mark::Circle, ink, false);
     let text = short(mid);
-    let outside = x + 10.0 + width_of(&text, SMALL) < picture.width - 2.0
-        && x + 10.0 + width_of(&text, SMALL) < frame.right + 18.0;
+    let end = x + 10.0 + width_of(&text, SMALL);
+    let outside = end < frame.right + 18.0;
     if outside {
         picture.text((x + 10.0, y), text, SMALL, Ink::Muted, Align::Left);
     } else {

@@ -21,8 +21,9 @@ pub(crate) struct Entry<'a> {
 
 /// Relative bias with interval and bound for each entry.
 pub(crate) fn figure(entries: &[Entry], name: &'static str, heading: &str, title: &str) -> Figure {
-    let words = "Each row is a mean: the marker is bias / truth, the thick line its interval, the thin ticks ± the largest bias \
-                 still allowed. A right estimator’s interval holds zero. Rows beyond the axis end in an arrow with their value."
+    let words = "Each row is a mean: the marker is bias / truth, the thick line its interval, the thin ticks of a row that \
+                 did not fail ± the largest bias still allowed. A right estimator’s interval holds zero. \
+                 Rows beyond the axis end in an arrow with their value."
         .into();
     Figure {
         name,
@@ -115,7 +116,12 @@ fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     if let (Some(from), Some(to)) = (frame.across(low), frame.across(high)) {
         picture.line(vec![(from, y), (to, y)], Stroke::new(ink, 2.4));
     }
-    for end in [-bound, bound] {
+    let bounds: &[f64] = if entry.verdict == Verdict::Fail {
+        &[]
+    } else {
+        &[-bound, bound]
+    };
+    for &end in bounds {
         if let (true, Some(x)) = (end.abs() <= frame.x.hi, frame.across(end)) {
             picture.line(vec![(x, y - 5.0), (x, y + 5.0)], Stroke::new(Ink::Muted, 1.0));
         }

@@ -7,7 +7,7 @@ use freepath_harness::results::{HistogramSeries, MOST_POINTS};
 
 const LAW: Stroke = Stroke::new(Ink::Vermillion, 1.6);
 /// Width of the panel for escapes, with its ticks.
-const ASIDE: f64 = 118.0;
+const ASIDE: f64 = 122.0;
 
 /// Draws in cells, the density of the law, and how many escaped.
 pub(crate) fn figure(series: &HistogramSeries, subject: &str) -> Figure {
@@ -68,7 +68,7 @@ fn escapes(picture: &mut Picture, beside: &Frame, series: &HistogramSeries) {
     let (seen, law) = (series.escape.0, series.escape_expected.0);
     let y = Axis::linear("escapes", 0.0, 1.25 * reach([seen, law]), 4);
     let inset = Inset {
-        left: picture.width - 62.0,
+        left: picture.width - 66.0,
         top: beside.top,
         right: 12.0,
         bottom: picture.height - beside.bottom,
@@ -90,9 +90,17 @@ fn escapes(picture: &mut Picture, beside: &Frame, series: &HistogramSeries) {
     }
     picture.text(
         (middle, frame.bottom + 14.0),
-        short(seen),
+        label(seen),
         SMALL,
         Ink::Muted,
         Align::Center,
     );
+}
+
+fn label(share: f64) -> String {
+    if share.is_finite() {
+        short(share)
+    } else {
+        "not finite".into()
+    }
 }

@@ -5,9 +5,9 @@ use crate::draw::{Axis, Frame, Ink, Inset, Key, Picture, Point, SERIES, Stroke};
 use freepath_harness::results::{MediumResult, MediumSeries};
 
 const BOUND: Stroke = Stroke::new(Ink::Muted, 1.2);
-const HEIGHT: f64 = 400.0;
+const HEIGHT: f64 = 430.0;
 /// Where the upper panel ends.
-const SPLIT: f64 = 230.0;
+const SPLIT: f64 = 236.0;
 
 /// The medium as the subjects meet it.
 pub(crate) fn figure(medium: &MediumResult, title: &str) -> Figure {
@@ -30,6 +30,26 @@ fn picture(medium: &MediumResult, title: &str) -> Picture {
         format!("{title}: extinction, majorant and transmittance"),
     );
     let series = &medium.series[..medium.series.len().min(SERIES.len())];
+    let (upper, lower) = panels(&mut picture, series, medium.length.0);
+    for (ink, series) in SERIES.into_iter().zip(series) {
+        channel(&mut picture, &upper, &lower, series, ink);
+    }
+    if !series.iter().any(|s| s.mu.iter().any(|mu| mu.0.is_finite())) {
+        picture.note(&upper, "not finite: no extinction can be drawn");
+    }
+    let name = |i: usize| {
+        if series.len() == 1 {
+            "value".into()
+        } else {
+            format!("channel {i}")
+        }
+    };
+    picture.names = (0..series.len()).map(|i| (SERIES[i], name(i))).collect();
+    picture.names.push((Ink::Muted, "majorant".into()));
+    picture
+}
+
+fn panels(picture: &mut Picture, series: &[MediumSeries], length: f64) -> (Frame, Frame) {
     let top = 1.08
         * reach(
             series
@@ -37,46 +57,25 @@ fn picture(medium: &MediumResult, title: &str) -> Picture {
                 .flat_map(|s| s.mu.iter().chain(&s.majorant))
                 .map(|x| x.0),
         );
-    let end = reach(series.iter().flat_map(|s| &s.t).map(|t| t.0)).max(medium.length.0);
+    let end = reach(series.iter().flat_map(|s| &s.t).map(|t| t.0).chain([length]));
     let y = Axis::linear("μ, per length unit", 0.0, top, 5);
-    let mut inset = Inset {
-        left: 56.0,
-        ..Inset::around(&y)
-    };
-    inset.left = inset.left.max(Inset::around(&y).left);
+    let mut inset = Inset::around(&y);
+    inset.left = if inset.left < 56.0 { 56.0 } else { inset.left };
     inset.top += picture.legend(&keys(series.len()), inset.left, 11.0);
-    let below = Inset {
-        top: SPLIT + 40.0,
+    let above = Inset {
+        bottom: HEIGHT - SPLIT,
         ..inset
     };
-    let x = || Axis::linear("", 0.0, end, 8);
-    let upper = picture.frame(
-        Axis {
-            label: String::new(),
-            ..x()
-        },
-        y,
-        Inset {
-            bottom: HEIGHT - SPLIT,
-            ..inset
-        },
-    );
-    let lower = Axis::linear("transmittance T", 0.0, 1.0, 4);
-    let lower = picture.frame(Axis::linear("t, in length units", 0.0, end, 8), lower, below);
-    for (ink, series) in SERIES.into_iter().zip(series) {
-        channel(&mut picture, &upper, &lower, series, ink);
-    }
-    if !series.iter().any(|s| s.mu.iter().any(|mu| mu.0.is_finite())) {
-        picture.note(&upper, "not finite: no extinction can be drawn");
-    }
-    picture.names = if series.len() == 1 {
-        vec![(SERIES[0], "value".into()), (Ink::Muted, "majorant".into())]
-    } else {
-        (0..series.len())
-            .map(|i| (SERIES[i], format!("channel {i}")))
-            .collect()
+    let below = Inset {
+        top: SPLIT + 56.0,
+        ..inset
     };
-    picture
+    let upper = picture.frame(Axis::linear("", 0.0, end, 8), y, above);
+    let x = Axis::linear("t, in length units", 0.0, end, 8);
+    (
+        upper,
+        picture.frame(x, Axis::linear("transmittance T", 0.0, 1.0, 4), below),
+    )
 }
 
 fn channel(picture: &mut Picture, upper: &Frame, lower: &Frame, series: &MediumSeries, ink: Ink) {

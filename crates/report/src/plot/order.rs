@@ -53,7 +53,7 @@ pub(crate) fn figure(ladder: &Ladder, name: &'static str, title: &str) -> Figure
     };
     text += "The fit is a weighted least-squares line through the logarithms of the points whose interval excludes zero, \
              weighted by their intervals; its own interval is the wider of theirs and of the scatter about the line. \
-             Small rings are the bias by theory. Hollow markers show no bias yet: only the upper end of their interval counts.";
+             Diamonds are the bias by theory. Hollow markers show no bias yet: only the upper end of their interval counts.";
     let heading = format!("Order of {} ray marching", words(&ladder.rule));
     Figure {
         name,
@@ -132,7 +132,7 @@ fn clipped(picture: &mut Picture, frame: &Frame, line: impl Fn(f64) -> Point, st
 fn draw(picture: &mut Picture, frame: &Frame, rung: &Rung) {
     let Some(x) = frame.across(rung.steps) else { return };
     if let Some(y) = frame.up(rung.own).filter(|_| rung.own >= frame.y.lo) {
-        picture.mark((x, y), Mark::Diamond, Ink::Orange, true);
+        picture.ring((x, y), Mark::Diamond, Ink::Orange);
     }
     let bottom = if rung.low > 0.0 {
         frame.up(rung.low)

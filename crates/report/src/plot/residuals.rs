@@ -5,7 +5,7 @@ use crate::draw::{Align, Axis, Frame, Ink, Inset, Picture, SMALL, Stroke};
 use freepath_harness::results::{MOST_POINTS, ResidualSeries};
 
 /// Width of the column for escapes.
-const ASIDE: f64 = 62.0;
+const ASIDE: f64 = 78.0;
 
 /// Where in the law a chi-square test sees its deviations.
 pub(crate) fn figure(series: &ResidualSeries, subject: &str) -> Figure {
@@ -50,7 +50,7 @@ fn picture(series: &ResidualSeries, subject: &str) -> Picture {
         picture.note(&frame, "not finite: no bar can be drawn");
     }
     if let (true, Some(last)) = (series.escape, series.residual.last()) {
-        let middle = frame.right + 0.5 * ASIDE + 8.0;
+        let middle = frame.right + 0.5 * ASIDE + 12.0;
         bar(&mut picture, &frame, (middle - 8.0, middle + 8.0), last.0);
         picture.text(
             (middle, frame.bottom + 14.0),

@@ -5,22 +5,22 @@ use freepath_harness::results::{MediumResult, MediumSeries};
 use serde_json::{Value, json};
 
 /// A medium as its series.
-pub struct Medium {
-    pub case: &'static str,
-    pub name: &'static str,
-    pub ray: Option<usize>,
-    pub parameters: Value,
-    pub length: f64,
-    pub t: Vec<f64>,
+pub(crate) struct Medium {
+    pub(crate) case: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) ray: Option<usize>,
+    pub(crate) parameters: Value,
+    pub(crate) length: f64,
+    pub(crate) t: Vec<f64>,
     /// One for each channel.
-    pub channels: Vec<Channel>,
+    pub(crate) channels: Vec<Channel>,
 }
 
 /// One channel on the points of the medium.
-pub struct Channel {
-    pub mu: Vec<f64>,
-    pub majorant: Vec<f64>,
-    pub tau: Vec<f64>,
+pub(crate) struct Channel {
+    pub(crate) mu: Vec<f64>,
+    pub(crate) majorant: Vec<f64>,
+    pub(crate) tau: Vec<f64>,
 }
 
 const POINTS: usize = 400;
@@ -54,12 +54,12 @@ impl Medium {
     }
 
     /// Probability of escape of the first channel.
-    pub fn escape(&self) -> f64 {
+    pub(crate) fn escape(&self) -> f64 {
         libm::exp(-self.channels[0].tau[POINTS])
     }
 
     #[rustfmt::skip]
-    pub fn all() -> Vec<Self> {
+    pub(crate) fn all() -> Vec<Self> {
         let bump = |t: f64, peak: f64| peak * libm::exp(-0.5 * ((t - 0.9) / 0.25) * ((t - 0.9) / 0.25));
         let cloud = |t: f64, k: f64| 1.6 + libm::sin(k * t) + 0.5 * libm::sin(7.3 * t + k);
         let cells = |t: f64| [0.4, 3.0, 1.2, 0.05, 2.2][((t / 0.61) as usize).min(4)];
@@ -79,7 +79,7 @@ impl Medium {
         ]
     }
 
-    pub fn result(&self) -> MediumResult {
+    pub(crate) fn result(&self) -> MediumResult {
         let reals = |v: &[f64]| v.iter().map(|&x| Real(x)).collect::<Vec<_>>();
         let mus = || self.channels.iter().flat_map(|c| c.mu.iter().copied());
         MediumResult {

@@ -10,7 +10,7 @@ use noise::Noise;
 
 /// Results of some 150 subjects in 12 media, and their timings.
 #[must_use]
-pub fn run() -> (Results, Timings) {
+pub(crate) fn run() -> (Results, Timings) {
     let media = Medium::all();
     let mut noise = Noise::new(7);
     let mut results = vec![];

@@ -1,14 +1,14 @@
 //! Random numbers for made-up data.
 
 /// SplitMix64.
-pub struct Noise(u64);
+pub(crate) struct Noise(u64);
 
 impl Noise {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    pub fn uniform(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -16,13 +16,13 @@ impl Noise {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub fn normal(&mut self) -> f64 {
+    pub(crate) fn normal(&mut self) -> f64 {
         let (u, v) = (1.0 - self.uniform(), self.uniform());
-        libm::sqrt(-2.0 * libm::log(u)) * libm::cos(6.283_185_307_179_586 * v)
+        libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
     }
 
     /// A Brownian bridge at `times` in [0, 1].
-    pub fn bridge(&mut self, times: &[f64]) -> Vec<f64> {
+    pub(crate) fn bridge(&mut self, times: &[f64]) -> Vec<f64> {
         let (mut walk, mut last, mut path) = (0.0, 0.0, vec![]);
         for &time in times {
             walk += libm::sqrt((time - last).max(0.0)) * self.normal();

@@ -2,14 +2,39 @@
 
 use super::super::media::Medium;
 use super::super::noise::Noise;
-use super::{DRAWS, Plan, test};
+use super::plans::Plan;
+use super::{DRAWS, test};
 use freepath_harness::real::Real;
 use freepath_harness::results::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries, SubjectResult};
 use freepath_harness::verdict::Reason;
 
-pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
-    let n = DRAWS as f64;
-    let (escape, band) = (medium.escape(), 2.0 / libm::sqrt(n));
+pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
+    let distance = cdf(result, medium, plan, noise);
+    histogram(result, medium, plan, noise);
+    residuals(result, medium, plan, noise);
+    let share = law(result, medium.escape(), distance, noise);
+    let z = distance * libm::sqrt(DRAWS as f64);
+    let p = libm::exp(-2.0 * z * z).min(0.9 - 0.3 * z.fract());
+    let off = plan.bias.abs() * z;
+    let seen = if off > 0.02 { 1e-40 } else { noise.uniform() };
+    let squares = 63.0 + 900.0 * off + 11.0 * noise.normal();
+    let z_serial = noise.normal();
+    result.tests = vec![
+        test("kolmogorov_smirnov", z, None, p, Reason::WrongLaw),
+        test("chi_square_64", squares, Some(63.0), seen, Reason::WrongLaw),
+        test("escape_binomial", share, None, noise.uniform(), Reason::Biased),
+        test(
+            "serial_correlation",
+            z_serial,
+            None,
+            noise.uniform(),
+            Reason::Dependent,
+        ),
+    ];
+}
+
+/// Fills in the difference of the distribution functions, and gives the largest.
+fn cdf(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) -> f64 {
     let law: Vec<f64> = medium.channels[0]
         .tau
         .iter()
@@ -20,66 +45,42 @@ pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mu
     let seen: Vec<f64> = bridge
         .iter()
         .zip(&own)
-        .map(|(b, o)| b / libm::sqrt(n) + o)
+        .map(|(b, o)| b / libm::sqrt(DRAWS as f64) + o)
         .collect();
-    let distance = seen.iter().map(|d| d.abs()).fold(0.0, f64::max);
-    let own = if plan.order.is_some() { own } else { vec![] };
     let reals = |v: &[f64]| v.iter().map(|&x| Real(x)).collect::<Vec<_>>();
     result.series.cdf = Some(CdfSeries {
         t: reals(&medium.t),
         difference: reals(&seen),
-        band: band.into(),
-        own: reals(&own),
+        band: BAND.into(),
+        own: if plan.order.is_some() { reals(&own) } else { vec![] },
     });
-    histogram(result, medium, plan, noise);
-    residuals(result, medium, plan, noise);
-    let spread = 3.3 * libm::sqrt(escape * (1.0 - escape) / n);
-    let share = escape + spread / 3.3 * noise.normal();
+    seen.iter().map(|d| d.abs()).fold(0.0, f64::max)
+}
+
+/// Half width of the band: 2 / sqrt(DRAWS).
+const BAND: f64 = 2.0 / 1024.0;
+
+fn law(result: &mut SubjectResult, escape: f64, distance: f64, noise: &mut Noise) -> f64 {
+    let error = libm::sqrt(escape * (1.0 - escape) / DRAWS as f64);
+    let share = escape + error * noise.normal();
     result.law = Some(LawResult {
         distance: distance.into(),
-        bound: (distance + band).into(),
-        detectable: (2.4 * band).into(),
+        bound: (distance + BAND).into(),
+        detectable: (2.4 * BAND).into(),
         atom: Atom {
             expected: escape.into(),
             estimate: share.into(),
-            low: (share - spread).into(),
-            high: (share + spread).into(),
+            low: (share - 3.3 * error).into(),
+            high: (share + 3.3 * error).into(),
         },
     });
-    let p = |z: f64| {
-        if z.is_nan() {
-            0.0
-        } else {
-            libm::exp(-2.0 * z * z).min(0.9 - 0.3 * z.fract())
-        }
-    };
-    let z = distance * libm::sqrt(n);
-    result.tests = vec![
-        test("kolmogorov_smirnov", z, None, p(z), Reason::WrongLaw),
-        test(
-            "chi_square_64",
-            63.0 + 900.0 * plan.bias.abs() * z + 11.0 * noise.normal(),
-            Some(63.0),
-            if plan.bias.abs() * z > 0.02 {
-                1e-40
-            } else {
-                noise.uniform()
-            },
-            Reason::WrongLaw,
-        ),
-        test("escape_binomial", share, None, noise.uniform(), Reason::Biased),
-        test(
-            "serial_correlation",
-            noise.normal(),
-            None,
-            noise.uniform(),
-            Reason::Dependent,
-        ),
-    ];
+    share
 }
 
 fn at(medium: &Medium, values: &[f64], share: f64) -> f64 {
-    values[((medium.t.len() - 1) as f64 * share) as usize]
+    let place = (medium.t.len() - 1) as f64 * share;
+    let i = (place as usize).min(medium.t.len() - 2);
+    values[i] + (place - i as f64) * (values[i + 1] - values[i])
 }
 
 fn histogram(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {

@@ -2,12 +2,13 @@
 
 use super::super::media::Medium;
 use super::super::noise::Noise;
-use super::{DRAWS, Plan, test};
+use super::plans::Plan;
+use super::{DRAWS, test};
 use freepath_harness::real::Real;
 use freepath_harness::results::{ChannelResult, Efficiency, MeanResult, RunningSeries, SubjectResult};
 use freepath_harness::verdict::Reason;
 
-pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
+pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     if plan.kind == "chromatic" {
         return channels(result, medium, noise);
     }
@@ -15,42 +16,46 @@ pub fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mu
     let deviation = truth * libm::sqrt(plan.variance);
     let own = truth * (1.0 + plan.bias);
     let mean = mean(truth, own, deviation, plan, noise);
-    let z = mean.bias.0 / (deviation / libm::sqrt(DRAWS as f64));
-    let p = libm::erfc(z.abs() / std::f64::consts::SQRT_2);
-    let exact = !(deviation > 0.0);
-    let p = if exact {
-        f64::from(u8::from(plan.bias.abs() < 1e-12))
+    let varies = deviation > 0.0;
+    let z = if varies {
+        mean.bias.0 / deviation * libm::sqrt(DRAWS as f64)
     } else {
-        p
+        0.0
+    };
+    let p = if varies || !is_biased(plan) {
+        libm::erfc(z.abs() / std::f64::consts::SQRT_2)
+    } else {
+        0.0
     };
     result.tests = vec![
-        test(
-            "mean_t",
-            if exact { 0.0 } else { z },
-            Some((DRAWS - 1) as f64),
-            p,
-            Reason::Biased,
-        ),
+        test("mean_t", z, Some((DRAWS - 1) as f64), p, Reason::Biased),
         test("second_moment", 1.2, None, noise.uniform(), Reason::WrongVariance),
         test("expected_lookups", 0.4, None, noise.uniform(), Reason::WrongCost),
     ];
-    result.efficiency = Some(Efficiency {
+    result.efficiency = Some(efficiency(plan));
+    result.series.running = Some(running(&mean, own, deviation, noise));
+    result.mean = Some(mean);
+}
+
+fn is_biased(plan: &Plan) -> bool {
+    plan.bias.abs() > 1e-12
+}
+
+fn efficiency(plan: &Plan) -> Efficiency {
+    let exact = !(plan.variance > 0.0) && !is_biased(plan);
+    let refusal = match plan.variance {
+        _ if is_biased(plan) => "biased: its mean squared error is given",
+        v if v > 600.0 => "the fourth moment is not trusted",
+        _ => "",
+    };
+    Efficiency {
         relative_variance: plan.variance.into(),
         low: (0.96 * plan.variance).into(),
         high: (1.05 * plan.variance).into(),
-        exact: exact && plan.bias.abs() < 1e-12,
-        ranked: plan.bias.abs() < 1e-12 && plan.variance < 600.0 && !exact,
-        refusal: if plan.bias.abs() > 1e-12 {
-            "biased: its mean squared error is given"
-        } else if plan.variance > 600.0 {
-            "the fourth moment is not trusted"
-        } else {
-            ""
-        }
-        .into(),
-    });
-    result.series.running = Some(running(&mean, own, deviation, noise));
-    result.mean = Some(mean);
+        exact,
+        ranked: refusal.is_empty() && !exact,
+        refusal: refusal.into(),
+    }
 }
 
 fn mean(truth: f64, own: f64, deviation: f64, plan: &Plan, noise: &mut Noise) -> MeanResult {
