@@ -119,6 +119,13 @@ return {all, some, none, again, less, back: shown(), rows: rows.length,
         others: rows.filter((r) => r.dataset.class !== kind).length};
 """
 
+FOREIGN = """
+const script = document.createElement('script');
+script.textContent = 'window.foreign = true';
+document.body.append(script);
+return window.foreign === true;
+"""
+
 POINTER = """
 const drawing = [...document.querySelectorAll('.drawing')].find((d) => d.querySelector('polyline')), box = drawing.querySelector('svg').getBoundingClientRect();
 const at = {clientX: box.left + 0.5 * box.width, clientY: box.top + 0.5 * box.height, bubbles: true};
@@ -254,6 +261,7 @@ def listen(browser, checks, page):
     checks.that(requests and not away and not other, f"{len(requests)} requests, all for the page itself", away + other)
     errors = [entry["message"][:200] for entry in browser.log("browser") if entry["level"] in ("SEVERE", "WARNING")]
     checks.that(not errors, "the console is silent", errors)
+    checks.that(not browser.run(FOREIGN), "no script runs but the page's own")
 
 
 def without_scripts(browser, checks, url):

@@ -7,6 +7,7 @@ use crate::plot::forest::Entry;
 use crate::plot::{Figure, cdf, cost, efficiency, forest, histogram, medium, order, residuals, running};
 use crate::site::{Case, Site, Subject};
 use crate::text::clean;
+use freepath_harness::results::ChannelResult;
 use rayon::prelude::*;
 
 /// A plot with the name of its files.
@@ -59,21 +60,24 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
 }
 
 fn channels(subject: &Subject) -> Option<Figure> {
-    let result = subject.result;
-    let entry = |c: &'_ freepath_harness::results::ChannelResult| {
-        format!("channel {}, {}", c.channel, clean(&c.event, 24))
-    };
-    let entries: Vec<Entry> = result
+    let title = format!("{}: relative bias of each channel", subject.name);
+    let entries = channel_entries(subject, "");
+    (!entries.is_empty()).then(|| forest::figure(&entries, "channels", "Means of the channels", &title))
+}
+
+fn channel_entries<'a>(subject: &Subject<'a>, before: &str) -> Vec<Entry<'a>> {
+    let verdict = subject.result.verdict;
+    let label = |c: &ChannelResult| format!("{before}channel {}, {}", c.channel, clean(&c.event, 24));
+    subject
+        .result
         .channels
         .iter()
         .map(|c| Entry {
-            label: entry(c),
+            label: label(c),
             mean: &c.mean,
-            verdict: result.verdict,
+            verdict,
         })
-        .collect();
-    let title = format!("{}: relative bias of each channel", subject.name);
-    (!entries.is_empty()).then(|| forest::figure(&entries, "channels", "Means of the channels", &title))
+        .collect()
 }
 
 fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
@@ -99,17 +103,20 @@ fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
 }
 
 fn means(case: &Case, members: &[&Subject]) -> Option<Figure> {
-    let judged = members.iter().filter(|s| !s.is_control());
-    let entries: Vec<Entry> = judged
-        .filter_map(|s| {
-            let mean = s.result.mean.as_ref()?;
-            Some(Entry {
-                label: s.name.clone(),
-                mean,
-                verdict: s.result.verdict,
-            })
-        })
-        .collect();
+    let mut entries: Vec<Entry> = vec![];
+    for subject in members.iter().filter(|s| !s.is_control()) {
+        let verdict = subject.result.verdict;
+        let mean = subject.result.mean.as_ref();
+        entries.extend(mean.map(|mean| Entry {
+            label: subject.name.clone(),
+            mean,
+            verdict,
+        }));
+        entries.extend(channel_entries(
+            subject,
+            &format!("{}, ", clean(&subject.name, 18)),
+        ));
+    }
     let title = format!("{}: relative bias of each estimator", case.title);
     (!entries.is_empty()).then(|| forest::figure(&entries, "means", "Biases", &title))
 }

@@ -86,12 +86,8 @@ fn measures(subject: &Subject) -> Vec<String> {
     lines.extend(result.law.as_ref().map(words::law).unwrap_or_default());
     for channel in result.channels.iter().take(MOST) {
         let name = format!("Channel {}, {}: ", channel.channel, clean(&channel.event, 40));
-        lines.extend(
-            words::mean(&channel.mean)
-                .into_iter()
-                .take(1)
-                .map(|line| name.clone() + &line.to_lowercase()),
-        );
+        let sentence = words::mean(&channel.mean).swap_remove(0);
+        lines.push(name + &sentence.replacen("The mean", "the mean", 1));
     }
     let time = subject
         .seconds

@@ -51,7 +51,7 @@ impl Row {
             surprising: !result.as_expected,
             expected: clean(&words(&result.expected), 80),
             subject: subject.name.clone(),
-            estimator: clean(&words(&result.estimator), 60),
+            estimator: estimator(subject),
             case: site.cases[subject.case].title.clone(),
             reasons: reasons(result),
             cells: vec![
@@ -62,6 +62,16 @@ impl Row {
                 Cell::new(Some(result.lookups.0), same),
             ],
         }
+    }
+}
+
+/// The estimator's name, unless the subject's own begins with it.
+fn estimator(subject: &Subject) -> String {
+    let name = clean(&words(&subject.result.estimator), 60);
+    if words(&subject.name).starts_with(&name) {
+        String::new()
+    } else {
+        name
     }
 }
 
