@@ -58,10 +58,8 @@ impl Letter {
 
 impl Matrix {
     pub(crate) fn new(site: &Site) -> Self {
-        let used: Vec<usize> = (0..site.cases.len())
-            .filter(|&i| site.members(&site.cases[i]).iter().any(|s| !s.is_control()))
-            .collect();
-        let columns = used.iter().map(|&i| column(site, i)).collect();
+        let used = columns(site);
+        let columns = used.iter().map(|cases| column(site, cases)).collect();
         let mut groups: BTreeMap<(usize, &str), BTreeMap<String, Vec<&Subject>>> = BTreeMap::new();
         for subject in site.subjects.iter().filter(|s| !s.is_control()) {
             let kind = subject.result.kind.as_str();
@@ -89,37 +87,44 @@ fn rank(kind: &str) -> usize {
         .unwrap_or(3)
 }
 
-/// The estimator, with the rule of a stepping method, since each rule has its own order.
+/// The estimator, with its rule if it has one, since each rule is a method of its own.
 fn row_name(subject: &Subject) -> String {
-    let rule = subject
-        .result
-        .order
-        .as_ref()
-        .map_or(String::new(), |o| format!(", {}", o.rule));
-    clean(&words(&format!("{}{rule}", subject.result.estimator)), 40)
+    let result = subject.result;
+    let rule = result.parameters.get(&result.kind).and_then(|of| of.get(&result.estimator)?.get("rule")?.as_str());
+    let rule = rule.map_or(String::new(), |rule| format!(", {rule}"));
+    clean(&words(&format!("{}{rule}", result.estimator)), 40)
 }
 
-fn column(site: &Site, i: usize) -> Column {
-    let case = &site.cases[i];
-    let short = clean(&case.title, 30);
-    Column {
-        number: i + 1,
-        id: case.id.clone(),
-        short,
-        title: case.title.clone(),
+/// The cases that hold more than controls: those of one file, its rays, share a column.
+fn columns(site: &Site) -> Vec<Vec<usize>> {
+    let shown = |i: &usize| site.members(&site.cases[*i]).iter().any(|s| !s.is_control());
+    let mut columns: Vec<Vec<usize>> = Vec::new();
+    for i in (0..site.cases.len()).filter(shown) {
+        let same = |column: &&mut Vec<usize>| file(site, column[0]) == file(site, i);
+        match columns.last_mut().filter(same) {
+            Some(column) => column.push(i),
+            None => columns.push(vec![i]),
+        }
     }
+    columns
 }
 
-fn row(name: String, members: &[&Subject], used: &[usize]) -> MatrixRow {
-    let cell = |i: &usize| {
-        members
-            .iter()
-            .filter(|s| s.case == *i)
-            .map(|s| Letter::new(s))
-            .collect()
+fn file<'a>(site: &'a Site<'a>, case: usize) -> &'a str {
+    site.members(&site.cases[case]).first().map_or("", |subject| &subject.result.file)
+}
+
+/// Headed by the file's name, which is short; the title is under the pointer.
+fn column(site: &Site, cases: &[usize]) -> Column {
+    let case = &site.cases[cases[0]];
+    let path = std::path::Path::new(file(site, cases[0]));
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    Column { number: cases[0] + 1, id: case.id.clone(), short: clean(&words(&stem), 30), title: case.title.clone() }
+}
+
+fn row(name: String, members: &[&Subject], used: &[Vec<usize>]) -> MatrixRow {
+    let cell = |cases: &Vec<usize>| {
+        let here = members.iter().filter(|s| cases.contains(&s.case));
+        here.map(|s| Letter::new(s)).collect()
     };
-    MatrixRow {
-        name,
-        cells: used.iter().map(cell).collect(),
-    }
+    MatrixRow { name, cells: used.iter().map(cell).collect() }
 }
