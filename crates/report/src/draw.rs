@@ -8,6 +8,7 @@ mod frame;
 mod ink;
 mod legend;
 mod paint;
+mod path;
 mod svg;
 
 pub(crate) use axis::Axis;
