@@ -26,7 +26,8 @@ pub(crate) fn words(name: &str) -> String {
     name.replace('_', " ")
 }
 
-/// Makes ids and file names out of anything: `[a-z0-9-]`, at most 72 long, none twice.
+/// Makes ids and file names out of anything: `[A-Za-z0-9_-]`, at most 120 long, none twice in any case
+/// of its letters.
 #[derive(Default)]
 pub(crate) struct Slugs {
     taken: HashSet<String>,
@@ -38,7 +39,7 @@ impl Slugs {
         let stem = format!("{prefix}{}", slug(text));
         let mut id = stem.clone();
         let mut n = 2;
-        while !self.taken.insert(id.clone()) {
+        while !self.taken.insert(id.to_ascii_lowercase()) {
             id = format!("{stem}-{n}");
             n += 1;
         }
@@ -48,9 +49,9 @@ impl Slugs {
 
 fn slug(text: &str) -> String {
     let mut out = String::new();
-    for c in text.chars().take(72) {
-        match c.to_ascii_lowercase() {
-            c @ ('a'..='z' | '0'..='9') => out.push(c),
+    for c in text.chars().take(120) {
+        match c {
+            'a'..='z' | 'A'..='Z' | '0'..='9' | '_' => out.push(c),
             _ if out.is_empty() || out.ends_with('-') => {}
             _ => out.push('-'),
         }
@@ -87,11 +88,12 @@ mod tests {
         let mut slugs = Slugs::default();
         assert_eq!(
             slugs.take("s-", "Gaussian bump / <b>δ</b>"),
-            "s-gaussian-bump-b-b"
+            "s-Gaussian-bump-b-b"
         );
         assert_eq!(slugs.take("s-", "gaussian bump b b"), "s-gaussian-bump-b-b-2");
         assert_eq!(slugs.take("s-", "δ"), "s-x");
-        assert!(slugs.take("s-", &"long ".repeat(100)).len() < 80);
+        assert!(slugs.take("s-", &"long ".repeat(100)).len() < 130);
+        assert_eq!(slugs.take("", "cases-a-ray_marching"), "cases-a-ray_marching");
     }
 
     #[test]

@@ -90,7 +90,10 @@ fn rank(kind: &str) -> usize {
 /// The estimator, with its rule if it has one, since each rule is a method of its own.
 fn row_name(subject: &Subject) -> String {
     let result = subject.result;
-    let rule = result.parameters.get(&result.kind).and_then(|of| of.get(&result.estimator)?.get("rule")?.as_str());
+    let rule = result
+        .parameters
+        .get(&result.kind)
+        .and_then(|of| of.get(&result.estimator)?.get("rule")?.as_str());
     let rule = rule.map_or(String::new(), |rule| format!(", {rule}"));
     clean(&words(&format!("{}{rule}", result.estimator)), 40)
 }
@@ -110,7 +113,9 @@ fn columns(site: &Site) -> Vec<Vec<usize>> {
 }
 
 fn file<'a>(site: &'a Site<'a>, case: usize) -> &'a str {
-    site.members(&site.cases[case]).first().map_or("", |subject| &subject.result.file)
+    site.members(&site.cases[case])
+        .first()
+        .map_or("", |subject| &subject.result.file)
 }
 
 /// Headed by the file's name, which is short; the title is under the pointer.
@@ -118,7 +123,12 @@ fn column(site: &Site, cases: &[usize]) -> Column {
     let case = &site.cases[cases[0]];
     let path = std::path::Path::new(file(site, cases[0]));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    Column { number: cases[0] + 1, id: case.id.clone(), short: clean(&words(&stem), 30), title: case.title.clone() }
+    Column {
+        number: cases[0] + 1,
+        id: case.id.clone(),
+        short: clean(&words(&stem), 30),
+        title: case.title.clone(),
+    }
 }
 
 fn row(name: String, members: &[&Subject], used: &[Vec<usize>]) -> MatrixRow {
@@ -126,5 +136,8 @@ fn row(name: String, members: &[&Subject], used: &[Vec<usize>]) -> MatrixRow {
         let here = members.iter().filter(|s| cases.contains(&s.case));
         here.map(|s| Letter::new(s)).collect()
     };
-    MatrixRow { name, cells: used.iter().map(cell).collect() }
+    MatrixRow {
+        name,
+        cells: used.iter().map(cell).collect(),
+    }
 }
