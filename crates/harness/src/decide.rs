@@ -98,14 +98,16 @@ fn sentence(evidence: &Evidence, adjusted: f64) -> String {
     )
 }
 
-/// Facts fail at once; a rejection fails if both stages make one; what is left open is inconclusive.
+/// Facts of either stage fail at once; a rejection fails if both stages make one; what is left open, or was put to no test
+/// at all, is inconclusive.
 #[must_use]
 pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
     let (one, two) = (
         first.rejections(),
         second.map(|stage| stage.rejections()).unwrap_or_default(),
     );
-    let mut found: Vec<(Reason, String)> = first.judged.facts.clone();
+    let facts = [Some(first), second].into_iter().flatten();
+    let mut found: Vec<(Reason, String)> = facts.flat_map(|stage| stage.judged.facts.clone()).collect();
     if !one.is_empty() && !two.is_empty() {
         found.extend(two);
     } else if !one.is_empty() || !two.is_empty() {
@@ -113,7 +115,11 @@ pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
         return open(vec![(Reason::NotEnoughDraws, why.into())], found);
     }
     if found.is_empty() {
-        return open(first.judged.gates.clone(), found);
+        let mut gates = first.judged.gates.clone();
+        if first.judged.evidence.iter().all(|evidence| evidence.p.is_none()) {
+            gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
+        }
+        return open(gates, found);
     }
     summary(Verdict::Fail, found)
 }
@@ -204,6 +210,36 @@ mod tests {
             (decision.verdict, decision.reasons),
             (Verdict::Fail, vec![Reason::BoundViolated])
         );
+    }
+
+    #[test]
+    fn a_fact_of_the_second_stage_fails() {
+        let broken = Judged {
+            facts: vec![(Reason::SubjectError, "it panicked".into())],
+            ..Judged::default()
+        };
+        for p in [7e-4, 1e-9] {
+            let one = judged(&[p]);
+            let adjusted = adjust([Some(&one)].into_iter());
+            let first = Stage {
+                judged: &one,
+                adjusted: &adjusted.0[0],
+            };
+            let second = Stage {
+                judged: &broken,
+                adjusted: &[],
+            };
+            let decision = decide(first, Some(second));
+            assert_eq!(
+                (decision.verdict, decision.reasons),
+                (Verdict::Fail, vec![Reason::SubjectError])
+            );
+        }
+    }
+
+    #[test]
+    fn no_evidence_is_no_pass() {
+        assert_eq!(verdict(&[], None), Verdict::Inconclusive);
     }
 
     #[test]

@@ -43,7 +43,8 @@ pub fn sample_block(
     draws: &mut Draws,
 ) -> Result<BlockRecord, String> {
     let budget = BUDGET_PER_DRAW.saturating_mul(draws.rows as u64);
-    let streams = Streams::new(key).with_budget(budget);
+    let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
+    blank(draws);
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
         Scene::Grey { truth, seen } => grey(subject, truth, seen, &streams, budget, draws),
@@ -56,6 +57,9 @@ pub fn sample_block(
             draws.rows
         ));
     }
+    if shape != self::shape(draws) {
+        return Err("the subject changed the length of a column of its block".into());
+    }
     let record = BlockRecord {
         audit,
         seconds: started.elapsed().as_secs_f64(),
@@ -65,6 +69,25 @@ pub fn sample_block(
         mixture_over_channel(subject, channel, t)
     });
     Ok(record)
+}
+
+/// No draw of an earlier block may stand in for one that the subject forgets to write.
+fn blank(draws: &mut Draws) {
+    let columns = [&mut draws.t, &mut draws.weight]
+        .into_iter()
+        .chain(&mut draws.channels);
+    columns.for_each(|column| column.fill(f64::NAN));
+    draws.collisions.fill(0);
+}
+
+/// The length of every column.
+fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
+    let columns = [&draws.t, &draws.weight].into_iter().chain(&draws.channels);
+    (
+        draws.rows,
+        draws.collisions.len(),
+        columns.map(Vec::len).collect(),
+    )
 }
 
 fn why(payload: &(dyn Any + Send)) -> String {

@@ -15,6 +15,7 @@ pub use atom::atom;
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
 pub use kolmogorov::kolmogorov;
+pub(crate) use kolmogorov::larger;
 pub use lag::lag;
 pub use lookups::{BlockLookups, lookups};
 pub(crate) use mean::bernstein_width;

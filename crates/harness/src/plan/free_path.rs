@@ -1,4 +1,5 @@
 use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scores, Subject, pair_probability};
+use crate::test::larger;
 use crate::verdict::Reason;
 
 /// The law of the column `t`.
@@ -9,7 +10,7 @@ pub struct LawPlan {
     pub own: Option<Law>,
     /// Ranks for the lag-1 test, under the law that the draws should follow; none if independence is not claimed.
     pub scores: Option<Scores>,
-    /// Probability that two draws tie; none if the law has atoms.
+    /// Probability that two draws tie; none if the law has atoms, or no collisions.
     pub pair: Option<f64>,
     /// Whether (collisions, t) follow Coleman's law; then A = int (mu_bar - mu) is known.
     pub coleman: bool,
@@ -57,7 +58,9 @@ impl LawPlan {
         let independent = subject.claims(Claim::Independent);
         let followed = own.as_ref().unwrap_or(&truth);
         let scores = independent.then(|| Scores::new(followed));
-        let pair = independent.then(|| pair_probability(followed, subject.bits));
+        let pair = independent
+            .then(|| pair_probability(followed, subject.bits))
+            .filter(|_| followed.collided() > 0.0);
         Self {
             scores,
             pair,
@@ -73,6 +76,6 @@ impl LawPlan {
     pub fn design_distance(&self) -> f64 {
         let Some(own) = &self.own else { return 0.0 };
         let gaps = (0..=own.cells()).map(|k| (own.survival(k) - self.truth.survival(k)).abs());
-        gaps.fold(0.0, |a, b| if b <= a { a } else { b })
+        gaps.fold(0.0, larger)
     }
 }

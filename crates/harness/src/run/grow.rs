@@ -2,7 +2,7 @@ use super::Cancelled;
 use crate::case::BiasBound;
 use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::evidence::REPORTING_LEVEL;
-use crate::judge::Judged;
+use crate::judge::{Judged, judge};
 use crate::plan::{MeanPlan, Plan};
 use crate::special::clopper_pearson;
 use crate::subject::{BLOCK, Subject};
@@ -27,7 +27,8 @@ impl Growth<'_> {
     /// Doubles the draws until the bias is bounded as the case asks, or the budget ends.
     ///
     /// The bound at doubling k is taken at level a / (k (k + 1)), which sums to a over all k: a confidence sequence at the
-    /// doublings. It needs draws that are 0/1 or of known range. Tests are read once, at the case's draws, and are not touched.
+    /// doublings. It needs draws that are 0/1 or of known range. Tests are read once, at the case's draws, and are not touched; a fact
+    /// counts whenever it is seen.
     pub(super) fn towards_bound(
         &self,
         subject: &Subject,
@@ -63,7 +64,10 @@ impl Growth<'_> {
             let blocks = Subject::blocks(sums.n);
             (self.planned)(blocks * BLOCK as u64);
             match collect(subject, plan, self.seed, at..at + blocks, self.watch) {
-                Ok(more) => more.mean.iter().for_each(|more| sums.merge(more)),
+                Ok(more) => {
+                    judged.facts.extend(judge(subject, plan, &more).facts);
+                    more.mean.iter().for_each(|more| sums.merge(more));
+                }
                 Err(Stopped::Cancelled) => return Err(Cancelled),
                 Err(Stopped::Subject(why)) => {
                     judged.facts.push((Reason::SubjectError, why));

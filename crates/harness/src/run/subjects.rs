@@ -4,6 +4,7 @@ use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
+use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
@@ -12,7 +13,7 @@ use crate::results::{
 };
 use crate::special::{clopper_pearson, normal_quantile};
 use crate::tally::{CellTally, PowerSums};
-use crate::test::{Interval, MeanClaim, mean};
+use crate::test::{Interval, MeanClaim, larger, mean};
 use crate::verdict::Reason;
 
 pub(super) fn result(
@@ -206,20 +207,29 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
     all.filter_map(one).collect()
 }
 
+/// sup |F_n - F| over the edges of the cells, and over all t at the most.
+fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
+    let n = tally.draws() as f64;
+    let (mut below, mut edges, mut all) = (0, 0.0, 0.0);
+    for (k, count) in tally.cells.iter().enumerate() {
+        let (start, end) = (law.mass_between(0, k), law.mass_between(0, k + 1));
+        let (before, after) = (below as f64 / n, (below + count) as f64 / n);
+        edges = larger(edges, (after - end).abs());
+        all = larger(all, larger(after - start, end - before));
+        below += count;
+    }
+    (edges, all)
+}
+
 fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
     let (n, law) = (tally.draws(), &plan.truth);
-    let (mut below, mut distance) = (0, 0.0);
-    for (k, count) in tally.cells.iter().enumerate() {
-        below += count;
-        let gap = (below as f64 / n as f64 - law.mass_between(0, k + 1)).abs();
-        distance = if gap <= distance { distance } else { gap };
-    }
+    let (distance, hidden) = distances(law, tally);
     let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
     let power = normal_quantile(1.0 - POWER) / (2.0 * (n as f64).sqrt());
     let band = series::band(n);
     LawResult {
         distance: Real(distance),
-        bound: Real(distance + band),
+        bound: Real(hidden + band),
         detectable: Real(band + power),
         atom: Atom {
             expected: Real(law.atom()),

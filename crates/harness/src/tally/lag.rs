@@ -1,22 +1,17 @@
+use super::CellTally;
 use super::cells::ESCAPE;
 use crate::law::Law;
 
-/// Products of neighbouring draws in drawing order, in ranks of 15 bits so that the sums are integers.
+/// Products of neighbouring draws in drawing order, in ranks of 15 bits so that the sum is an integer.
 ///
-/// The score of a draw is F at the middle of its fine cell, of an escape the middle of [F(length), 1], less the mean that
-/// it has under the law; in units of 2^-15.
+/// The score of a draw is F at the middle of its fine cell, of an escape the middle of [F(length), 1], less one half; in
+/// units of 2^-15.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LagTally {
-    /// The sum of score times next score over pairs within blocks.
+    /// The sum of (score - mean)(next score - mean), in units of 2^-30, over pairs within blocks.
     pub products: i128,
     /// How many pairs.
     pub pairs: u64,
-    /// The sum of scores.
-    pub sum: i128,
-    /// The sum of squared scores.
-    pub squares: i128,
-    /// How many draws.
-    pub draws: u64,
 }
 
 const UNIT: f64 = 32768.0;
@@ -26,6 +21,8 @@ const UNIT: f64 = 32768.0;
 pub struct Scores {
     cells: Vec<i32>,
     escape: i32,
+    variance: f64,
+    skewness: f64,
 }
 
 impl Scores {
@@ -34,13 +31,48 @@ impl Scores {
     pub fn new(law: &Law) -> Self {
         let raw = |k: usize| (0.5 * (law.cdf(k) + law.cdf(k + 1)) * UNIT).round();
         let escape = ((1.0 - 0.5 * law.atom()) * UNIT).round();
-        let inside: f64 = (0..law.cells()).map(|k| law.mass(k) * raw(k)).sum();
-        let mean = (inside + law.atom() * escape).round();
-        let cells = (0..law.cells()).map(|k| (raw(k) - mean) as i32).collect();
+        let cells: Vec<f64> = (0..law.cells()).map(raw).collect();
+        let weighted = |f: &dyn Fn(f64) -> f64| {
+            let inside: f64 = cells
+                .iter()
+                .enumerate()
+                .map(|(k, &score)| law.mass(k) * f(score))
+                .sum();
+            inside + law.atom() * f(escape)
+        };
+        let mean = weighted(&|score| score).round();
+        let offset = weighted(&|score| score - mean);
+        let centred = |score: f64| score - mean - offset;
+        let variance = weighted(&|score| centred(score) * centred(score));
+        let third = weighted(&|score| centred(score) * centred(score) * centred(score));
+        let whole = cells.iter().map(|score| (score - mean) as i32).collect();
         Self {
-            cells,
+            cells: whole,
             escape: (escape - mean) as i32,
+            variance,
+            skewness: third / (variance * variance.sqrt()),
         }
+    }
+
+    /// Variance of one score, in squared units.
+    #[must_use]
+    pub fn variance(&self) -> f64 {
+        self.variance
+    }
+
+    /// Skewness of one score; NaN if nothing varies.
+    #[must_use]
+    pub fn skewness(&self) -> f64 {
+        self.skewness
+    }
+
+    /// The mean score of the draws in `tally`.
+    #[must_use]
+    pub fn mean_of(&self, tally: &CellTally) -> f64 {
+        let scored = |(&count, &score): (&u64, &i32)| i128::from(count) * i128::from(score);
+        let inside: i128 = tally.cells.iter().zip(&self.cells).map(scored).sum();
+        let sum = inside + i128::from(tally.escapes) * i128::from(self.escape);
+        sum as f64 / tally.draws() as f64
     }
 
     #[inline(always)]
@@ -56,30 +88,22 @@ impl Scores {
 impl LagTally {
     /// Adds the pairs of one block, given the fine cell of each draw.
     pub fn observe(&mut self, scores: &Scores, index: &[u32]) {
-        let (mut previous, mut products, mut sum, mut squares) = (0, 0, 0, 0);
-        for &cell in index {
+        let Some((&first, rest)) = index.split_first() else {
+            return;
+        };
+        let (mut previous, mut sum) = (i64::from(scores.of(first)), 0); // a block fits: 2^14 products of 2^30
+        for &cell in rest {
             let score = i64::from(scores.of(cell));
-            products += previous * score;
-            sum += score;
-            squares += score * score;
+            sum += previous * score;
             previous = score;
         }
-        let block = Self {
-            products: i128::from(products),
-            pairs: (index.len() as u64).saturating_sub(1),
-            sum: i128::from(sum),
-            squares: i128::from(squares),
-            draws: index.len() as u64,
-        };
-        self.merge(&block);
+        self.products += i128::from(sum);
+        self.pairs += rest.len() as u64;
     }
 
     /// Adds the pairs of another worker.
     pub fn merge(&mut self, other: &Self) {
         self.products += other.products;
         self.pairs += other.pairs;
-        self.sum += other.sum;
-        self.squares += other.squares;
-        self.draws += other.draws;
     }
 }

@@ -20,7 +20,7 @@ pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
         return Evidence::withheld("kolmogorov", f64::NAN, reason, "no draw collided");
     }
     let (low, high) = bracket(law, tally, m as f64);
-    let slack = law.slack() / law.collided();
+    let slack = 2.0 * law.slack() / law.collided(); // of F(t) and of F(length)
     let d = if low > slack { low - slack } else { 0.0 };
     let p = if low.is_nan() {
         f64::NAN
@@ -30,10 +30,14 @@ pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     Evidence::new("kolmogorov", low, None, p, reason).noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 
+/// The larger, or NaN if either is.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if b <= a || a.is_nan() { a } else { b }
+}
+
 /// The largest gap at the edges, and the largest that could lie between them.
 fn bracket(law: &Law, tally: &CellTally, m: f64) -> (f64, f64) {
     let (mut below, mut low, mut high) = (0, 0.0, 0.0);
-    let larger = |a: f64, b: f64| if b <= a { a } else { b }; // NaN stays
     for (k, &count) in tally.cells.iter().enumerate() {
         let (start, end) = (
             law.mass_between(0, k) / law.collided(),
@@ -63,6 +67,20 @@ mod tests {
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &t, &mut Vec::new());
         kolmogorov(&law, &tally, Reason::WrongLaw).p
+    }
+
+    #[test]
+    fn a_nan_inside_the_law_rejects() {
+        let law = Law::new(2.0, 0.0, |t| {
+            if (0.9..1.0).contains(&t) {
+                f64::NAN
+            } else {
+                libm::exp(-t)
+            }
+        });
+        let mut tally = CellTally::new(&law);
+        tally.observe(&law, &[0.3, 1.2], &mut Vec::new());
+        assert_eq!(kolmogorov(&law, &tally, Reason::WrongLaw).p, Some(0.0));
     }
 
     #[test]
