@@ -35,9 +35,6 @@ pub(crate) fn check(rounds: usize) -> Result<bool, Box<dyn std::error::Error>> {
     let gain = delta(rounds, &scenes::gaussian()?, &scalar::Gaussian).gain();
     let [baseline, avx2, _] = floors(rounds);
     println!("delta gaussian, AVX2: scalar / tile {gain:.2} (at least {LEAST_GAIN})");
-    println!(
-        "floor: AVX2 / baseline {:.2} (at most {MOST_FLOOR})",
-        avx2 / baseline
-    );
+    println!("floor: AVX2 / baseline {:.2} (at most {MOST_FLOOR})", avx2 / baseline);
     Ok(gain >= LEAST_GAIN && avx2 / baseline <= MOST_FLOOR)
 }

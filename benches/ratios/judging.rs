@@ -21,16 +21,10 @@ const DRAWS: u64 = 10_000_000;
 /// Claims, draws, tallies and tests of delta tracking, on the threads of the current pool.
 fn judged(medium: &Gaussian, draws: u64) -> Fallible<Judged> {
     let sampler = DeltaTracking::default();
-    let scene = Scene::Grey {
-        truth: medium,
-        seen: medium,
-    };
+    let scene = Scene::Grey { truth: medium, seen: medium };
     let subject = Subject::new(Work::FreePath(&sampler), scene);
     let plan = Plan::of(&subject);
-    let watch = Watch {
-        cancelled: &AtomicBool::new(false),
-        progress: &|_| (),
-    };
+    let watch = Watch { cancelled: &AtomicBool::new(false), progress: &|_| () };
     let blocks = 0..Subject::blocks(draws);
     let seen = collect(&subject, &plan, 1, blocks, &watch).map_err(|stopped| format!("{stopped:?}"))?;
     Ok(judge(&subject, &plan, &seen))
@@ -80,14 +74,10 @@ pub(crate) fn peak(draws: u64) -> Fallible<()> {
 /// Prints the peak memory of judging, each in a process of its own.
 pub(crate) fn print_peaks(sizes: &[u64]) -> Fallible<()> {
     for &draws in sizes {
-        let child = std::process::Command::new(std::env::current_exe()?)
-            .args(["--peak", &draws.to_string()])
-            .output()?;
+        let child =
+            std::process::Command::new(std::env::current_exe()?).args(["--peak", &draws.to_string()]).output()?;
         let kib: f64 = String::from_utf8(child.stdout)?.trim().parse()?;
-        println!(
-            "peak memory of judging {draws:.0e} free paths on all threads: {:.1} MB",
-            kib * 1024e-6
-        );
+        println!("peak memory of judging {draws:.0e} free paths on all threads: {:.1} MB", kib * 1024e-6);
     }
     Ok(())
 }

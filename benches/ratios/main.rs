@@ -29,21 +29,14 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let given = |name: &str| arguments.iter().position(|argument| argument == name);
     if given("--check").is_some() {
         let sound = check::check(CHECK_ROUNDS)?;
-        return Ok(if sound {
-            ExitCode::SUCCESS
-        } else {
-            ExitCode::FAILURE
-        });
+        return Ok(if sound { ExitCode::SUCCESS } else { ExitCode::FAILURE });
     }
     if let Some(at) = given("--peak") {
         let draws = arguments.get(at + 1).ok_or("--peak takes a number of draws")?;
         judging::peak(draws.parse()?)?;
         return Ok(ExitCode::SUCCESS);
     }
-    let name = arguments
-        .iter()
-        .skip(1)
-        .find(|argument| !argument.starts_with("--"));
+    let name = arguments.iter().skip(1).find(|argument| !argument.starts_with("--"));
     if let Some(name) = name {
         machine()?;
         if name == "judging" {
@@ -63,11 +56,7 @@ fn all(full: bool) -> Result<(), Box<dyn std::error::Error>> {
     judging::print(ROUNDS)?;
     let floors = check::floors(ROUNDS);
     println!("floor, ns per step, and against the baseline:");
-    for (isa, ns) in Isa::ALL
-        .into_iter()
-        .zip(floors)
-        .filter(|(isa, _)| *isa <= simd::detect())
-    {
+    for (isa, ns) in Isa::ALL.into_iter().zip(floors).filter(|(isa, _)| *isa <= simd::detect()) {
         println!("    {:<9} {ns:.2} {:.2}", isa.name(), ns / floors[0]);
     }
     let sizes = [10_000_000, 1_000_000_000];
@@ -77,9 +66,7 @@ fn all(full: bool) -> Result<(), Box<dyn std::error::Error>> {
 fn machine() -> Result<(), Box<dyn std::error::Error>> {
     let cpus = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = cpus.lines().find(|line| line.starts_with("model name"));
-    let model = model
-        .and_then(|line| line.split(": ").nth(1))
-        .unwrap_or("CPU not known");
+    let model = model.and_then(|line| line.split(": ").nth(1)).unwrap_or("CPU not known");
     let (isa, best): (Isa, Isa) = (simd::isa(), simd::detect());
     println!(
         "{model}, {} threads, {} in use (best here {}), medians of {ROUNDS} rounds in turn, CPU time",

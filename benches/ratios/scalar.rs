@@ -1,9 +1,6 @@
 //! What an engineer writes by hand: generic loops, xoshiro256++, the logarithm, exponential and sine of the platform.
 
-#![expect(
-    clippy::disallowed_methods,
-    reason = "the loops to compare with use what the platform offers"
-)]
+#![expect(clippy::disallowed_methods, reason = "the loops to compare with use what the platform offers")]
 
 use freepath_estimators::medium::Volume;
 use rand::RngExt;
@@ -71,11 +68,7 @@ impl Plain for Voxels {
             let row = (k * ny + j) * nx + i;
             lerp(self.volume.values[row], self.volume.values[row + 1], x)
         };
-        lerp(
-            lerp(at(j, k), at(j + 1, k), y),
-            lerp(at(j, k + 1), at(j + 1, k + 1), y),
-            z,
-        )
+        lerp(lerp(at(j, k), at(j + 1, k), y), lerp(at(j, k + 1), at(j + 1, k + 1), y), z)
     }
 }
 
@@ -154,11 +147,7 @@ pub(crate) fn chromatic(
         let reach = if scatters { t } else { medium.length };
         let survival = medium.sigma_t.map(|sigma| (-sigma * reach).exp());
         let density = |c: usize| {
-            if scatters {
-                medium.sigma_t[c] * survival[c]
-            } else {
-                survival[c]
-            }
+            if scatters { medium.sigma_t[c] * survival[c] } else { survival[c] }
         };
         let pdf = (density(0) + density(1) + density(2)) / 3.0;
         for c in 0..3 {

@@ -29,11 +29,7 @@ const NAMES: [&str; 7] = [
 ];
 
 pub(crate) fn key(block: u64) -> Key {
-    Key {
-        seed: 1,
-        subject: 2,
-        block,
-    }
+    Key { seed: 1, subject: 2, block }
 }
 
 /// Nanoseconds per draw.
@@ -48,11 +44,7 @@ impl Row {
     fn measure(rounds: usize, flights: f64, tile: Contender, scalar: Contender) -> Self {
         let floor: Contender = Box::new(|block| floor::floor(key(block), BLOCK));
         let [tile, scalar, floor] = alternate(rounds, [tile, scalar, floor]).map(|ns| ns / BLOCK as f64);
-        Self {
-            tile,
-            scalar,
-            floor: floor * flights,
-        }
+        Self { tile, scalar, floor: floor * flights }
     }
 
     pub(crate) fn gain(&self) -> f64 {
@@ -61,11 +53,7 @@ impl Row {
 
     fn print(&self, name: &str) {
         let Self { tile, scalar, floor } = self;
-        println!(
-            "{name:<18} {tile:>9.2} {scalar:>9.2} {:>13.2} {floor:>9.2} {:>13.2}",
-            self.gain(),
-            tile / floor
-        );
+        println!("{name:<18} {tile:>9.2} {scalar:>9.2} {:>13.2} {floor:>9.2} {:>13.2}", self.gain(), tile / floor);
     }
 }
 
@@ -76,10 +64,7 @@ fn flights(draws: &Draws) -> f64 {
     (collisions + escapes) as f64 / draws.rows as f64
 }
 
-fn hand_written<'a, M: Plain>(
-    medium: &'a M,
-    walk: fn(&M, &mut Xoshiro256PlusPlus, &mut [f64]),
-) -> Contender<'a> {
+fn hand_written<'a, M: Plain>(medium: &'a M, walk: fn(&M, &mut Xoshiro256PlusPlus, &mut [f64])) -> Contender<'a> {
     let mut out = vec![0.0; BLOCK];
     Box::new(move |block| {
         walk(medium, &mut key(block).rng(), &mut out);
@@ -96,12 +81,7 @@ pub(crate) fn delta(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) 
         sampler.sample_block(medium, &Streams::new(key(block)), &mut draws);
         black_box(&draws);
     });
-    Row::measure(
-        rounds,
-        flights(&counted),
-        tile,
-        hand_written(plain, scalar::delta),
-    )
+    Row::measure(rounds, flights(&counted), tile, hand_written(plain, scalar::delta))
 }
 
 fn ratio(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
@@ -113,20 +93,11 @@ fn ratio(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
         estimator.estimate_block(medium, &Streams::new(key(block)), &mut draws);
         black_box(&draws);
     });
-    Row::measure(
-        rounds,
-        flights(&counted),
-        tile,
-        hand_written(plain, scalar::ratio),
-    )
+    Row::measure(rounds, flights(&counted), tile, hand_written(plain, scalar::ratio))
 }
 
 fn chromatic(rounds: usize) -> Fallible<Row> {
-    let plain = scalar::Chromatic {
-        sigma_t: [0.5, 1.0, 2.0],
-        sigma_s: [0.4, 0.9, 1.2],
-        length: 2.0,
-    };
+    let plain = scalar::Chromatic { sigma_t: [0.5, 1.0, 2.0], sigma_s: [0.4, 0.9, 1.2], length: 2.0 };
     let mut channels = vec![];
     for (sigma_t, sigma_s) in plain.sigma_t.into_iter().zip(plain.sigma_s) {
         channels.push((Constant::new(sigma_t, plain.length)?, sigma_s / sigma_t));
@@ -134,13 +105,8 @@ fn chromatic(rounds: usize) -> Fallible<Row> {
     let mut draws = Draws::new(BLOCK).with_t().with_channels(3);
     let sampler = Balance::default();
     let tile: Contender = Box::new(move |block| {
-        let seen: Vec<Channel> = channels
-            .iter()
-            .map(|(extinction, albedo)| Channel {
-                extinction,
-                albedo: *albedo,
-            })
-            .collect();
+        let seen: Vec<Channel> =
+            channels.iter().map(|(extinction, albedo)| Channel { extinction, albedo: *albedo }).collect();
         sampler.sample_block(&seen, &Streams::new(key(block)), &mut draws);
         black_box(&draws);
     });

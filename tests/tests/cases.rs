@@ -8,25 +8,16 @@ use freepath_tests::{case_paths, load, results, surprises};
 
 #[test]
 fn every_shipped_case_is_as_expected() {
-    let cases: Vec<_> = case_paths("cases")
-        .iter()
-        .flat_map(|path| load(path, &Limits::default()))
-        .collect();
+    let cases: Vec<_> = case_paths("cases").iter().flat_map(|path| load(path, &Limits::default())).collect();
     let found = surprises(&results(&cases, 1));
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
 fn every_name_is_in_a_case() {
-    let text: String = case_paths("cases")
-        .iter()
-        .filter_map(|path| std::fs::read_to_string(path).ok())
-        .collect();
+    let text: String = case_paths("cases").iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
-    let subjects = FreePathSubject::names()
-        .iter()
-        .chain(TransmittanceSubject::names())
-        .chain(AnyChromatic::NAMES);
+    let subjects = FreePathSubject::names().iter().chain(TransmittanceSubject::names()).chain(AnyChromatic::NAMES);
     for name in subjects.chain(AnyMedium::NAMES).copied().chain(faults) {
         assert!(text.contains(&format!("\"{name}\"")), "no case names {name:?}");
     }
@@ -35,13 +26,9 @@ fn every_name_is_in_a_case() {
 #[test]
 fn every_case_survives_being_written_and_read_again() {
     for path in case_paths("cases") {
-        let first = CaseFile::load(&path)
-            .unwrap_or_else(|error| panic!("{error}"))
-            .case;
+        let first = CaseFile::load(&path).unwrap_or_else(|error| panic!("{error}")).case;
         let text = serde_json::to_string_pretty(&first).expect("a case is JSON");
-        let again: Case = CaseFile::parse(&path, text)
-            .unwrap_or_else(|error| panic!("{error}"))
-            .case;
+        let again: Case = CaseFile::parse(&path, text).unwrap_or_else(|error| panic!("{error}")).case;
         assert_eq!(first, again, "{}", path.display());
     }
 }

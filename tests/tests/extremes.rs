@@ -53,10 +53,8 @@ fn complaint(subject: &Subject, seed: u64) -> Option<String> {
     }
     let wrong = judgement.decision.verdict == Verdict::Fail;
     let why = || {
-        let low: Vec<_> = evidence()
-            .filter(|e| e.p.is_some_and(|p| p < 1e-3))
-            .map(|e| (&e.name, e.statistic, e.p))
-            .collect();
+        let low: Vec<_> =
+            evidence().filter(|e| e.p.is_some_and(|p| p < 1e-3)).map(|e| (&e.name, e.statistic, e.p)).collect();
         format!("{:?} {low:?}", judgement.decision)
     };
     wrong.then(why)
@@ -64,18 +62,12 @@ fn complaint(subject: &Subject, seed: u64) -> Option<String> {
 
 fn complaints(text: &str, draws: u64) -> Vec<String> {
     let file = CaseFile::parse(Path::new("case.json"), text).unwrap_or_else(|error| panic!("{error}"));
-    let limits = Limits {
-        draws: Some(draws),
-        ..Limits::default()
-    };
+    let limits = Limits { draws: Some(draws), ..Limits::default() };
     let mut found = Vec::new();
     for case in &file.prepare(&limits).unwrap_or_else(|error| panic!("{error}")) {
         for prepared in &case.subjects {
             for (seed, route) in [(1, Route::Block), (2, Route::Scalar), (3, Route::Block)] {
-                let subject = Subject {
-                    route,
-                    ..prepared.runnable(&case.world, &case.case)
-                };
+                let subject = Subject { route, ..prepared.runnable(&case.world, &case.case) };
                 found.extend(
                     complaint(&subject, seed)
                         .map(|why| format!("{draws} draws of {} {}: {why}", prepared.kind(), prepared.name)),
@@ -91,11 +83,7 @@ fn hold(texts: &[String], draws: &[u64]) {
     for text in texts {
         let medium = text.split("\"subjects\"").next().unwrap_or_default();
         for &draws in draws {
-            found.extend(
-                complaints(text, draws)
-                    .into_iter()
-                    .map(|why| format!("{medium}: {why}")),
-            );
+            found.extend(complaints(text, draws).into_iter().map(|why| format!("{medium}: {why}")));
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
@@ -103,13 +91,7 @@ fn hold(texts: &[String], draws: &[u64]) {
 
 #[test]
 fn vacuum() {
-    hold(
-        &[
-            grey(0.0, 2.3, r#""tight""#),
-            grey(0.0, 2.3, r#"{ "constant": 1.5 }"#),
-        ],
-        &[1, 100_000],
-    );
+    hold(&[grey(0.0, 2.3, r#""tight""#), grey(0.0, 2.3, r#"{ "constant": 1.5 }"#)], &[1, 100_000]);
 }
 
 #[test]

@@ -25,12 +25,7 @@ fn only(results: &Results) -> &SubjectResult {
 fn a_bound_within_the_budget_is_met() {
     for estimator in ["delta_tracking", "ratio_tracking"] {
         let results = run(0.03, 4_000_000, estimator);
-        assert_eq!(
-            only(&results).verdict,
-            Verdict::Pass,
-            "{:?}",
-            only(&results).notes
-        );
+        assert_eq!(only(&results).verdict, Verdict::Pass, "{:?}", only(&results).notes);
     }
 }
 

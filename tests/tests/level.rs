@@ -44,11 +44,7 @@ fn p_values() -> BTreeMap<String, Vec<f64>> {
                 let biased = result.estimator == "ray_marching";
                 let first = result.tests.into_iter().filter(|test| test.stage == 1);
                 for test in first.filter(|test| !biased || test.name.starts_with("own_")) {
-                    let kept = test
-                        .name
-                        .trim_start_matches("own_")
-                        .trim_end_matches(char::is_numeric)
-                        .to_string();
+                    let kept = test.name.trim_start_matches("own_").trim_end_matches(char::is_numeric).to_string();
                     all.entry(kept).or_default().extend(test.p.map(|p| p.0));
                 }
             }

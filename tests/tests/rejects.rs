@@ -60,25 +60,13 @@ impl FreePathSampler for Sampler {
 }
 
 fn sampler(draw: Draw) -> Sampler {
-    Sampler {
-        draw,
-        claims: |_| FreePathClaims::default(),
-    }
+    Sampler { draw, claims: |_| FreePathClaims::default() }
 }
 
 fn of_path(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
     let truth = medium();
-    let scene = Scene::Grey {
-        truth: &truth,
-        seen: &truth,
-    };
-    judgement(
-        &Subject {
-            draws,
-            ..Subject::new(Work::FreePath(sampler), scene)
-        },
-        5,
-    )
+    let scene = Scene::Grey { truth: &truth, seen: &truth };
+    judgement(&Subject { draws, ..Subject::new(Work::FreePath(sampler), scene) }, 5)
 }
 
 /// Ratio tracking, what it gives changed, and its claims.
@@ -107,18 +95,11 @@ impl TransmittanceEstimator for Estimator {
 }
 
 fn changed(change: fn(FreePath, f64) -> FreePath) -> Estimator {
-    Estimator {
-        lookups: 1,
-        change,
-        claims: of_ratio,
-    }
+    Estimator { lookups: 1, change, claims: of_ratio }
 }
 
 fn weighing(path: FreePath, factor: f64) -> FreePath {
-    FreePath {
-        weight: factor * path.weight,
-        ..path
-    }
+    FreePath { weight: factor * path.weight, ..path }
 }
 
 /// Ratio tracking under twice the medium's extinction, every tentative collision looked up `lookups` times.
@@ -128,11 +109,7 @@ fn ratio(medium: &dyn Extinction, rng: &mut dyn Rng, lookups: u32) -> FreePath {
     loop {
         t += exponential(rng) / rate;
         if !(t < medium.length()) {
-            return FreePath {
-                t: f64::INFINITY,
-                weight,
-                collisions,
-            };
+            return FreePath { t: f64::INFINITY, weight, collisions };
         }
         let mu = (0..lookups).map(|_| medium.mu(t)).last().unwrap_or(f64::NAN);
         (weight, collisions) = (weight * (1.0 - mu / rate), collisions + 1);
@@ -147,17 +124,8 @@ fn of_estimate(estimator: &Estimator, draws: u64) -> Judgement {
     let inner = medium();
     let majorants = freepath_estimators::Majorants::constant(2.0 * MU, LENGTH).measured(&inner);
     let truth = freepath_estimators::Under::new(std::sync::Arc::new(inner), majorants);
-    let scene = Scene::Grey {
-        truth: &truth,
-        seen: &truth,
-    };
-    judgement(
-        &Subject {
-            draws,
-            ..Subject::new(Work::Transmittance(estimator), scene)
-        },
-        5,
-    )
+    let scene = Scene::Grey { truth: &truth, seen: &truth };
+    judgement(&Subject { draws, ..Subject::new(Work::Transmittance(estimator), scene) }, 5)
 }
 
 /// The balance heuristic, its weights changed.
@@ -171,9 +139,7 @@ impl ChromaticSampler for Weights {
     fn sample(&self, channels: &[Channel], rng: &mut dyn Rng, weights: &mut [f64]) -> f64 {
         let t = self.inner.sample(channels, rng, weights);
         let u = uniform(rng);
-        weights
-            .iter_mut()
-            .for_each(|weight| *weight *= (self.change)(t, u));
+        weights.iter_mut().for_each(|weight| *weight *= (self.change)(t, u));
         t
     }
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {
@@ -189,13 +155,7 @@ fn of_weights(change: fn(f64, f64) -> f64, pdf: f64) -> Judgement {
     let inner = serde_json::from_str(r#"{ "balance": {} }"#).expect("a sampler");
     let sampler = Weights { inner, change, pdf };
     let subject = Subject::new(Work::Chromatic(&sampler), Scene::Chromatic(channels.medium()));
-    judgement(
-        &Subject {
-            draws: 400_000,
-            ..subject
-        },
-        5,
-    )
+    judgement(&Subject { draws: 400_000, ..subject }, 5)
 }
 
 /// Which eighth of the ray.
@@ -218,28 +178,15 @@ fn caught(test: &str, reason: Reason, judgement: &Judgement) -> Option<String> {
 fn laws() -> Vec<(&'static str, Reason, Judgement)> {
     let few = 200_000;
     let law = |draw: Draw| of_path(&sampler(draw), few);
-    let atom = law(|_, rng| {
-        FreePath::at(if uniform(rng) < 0.9 * escape() {
-            f64::INFINITY
-        } else {
-            collided(rng)
-        })
-    });
+    let atom =
+        law(|_, rng| FreePath::at(if uniform(rng) < 0.9 * escape() { f64::INFINITY } else { collided(rng) }));
     let lobe = law(|_, rng| {
         let t = right(rng);
-        path(if (0.4..0.5).contains(&t) && uniform(rng) < 0.2 {
-            t + 0.3
-        } else {
-            t
-        })
+        path(if (0.4..0.5).contains(&t) && uniform(rng) < 0.2 { t + 0.3 } else { t })
     });
     let narrow = law(|_, rng| {
         let t = right(rng);
-        path(if (0.40..0.41).contains(&t) && uniform(rng) < 0.5 {
-            t + 0.02
-        } else {
-            t
-        })
+        path(if (0.40..0.41).contains(&t) && uniform(rng) < 0.5 { t + 0.02 } else { t })
     });
     let needle = law(|_, rng| {
         let t = right(rng);
@@ -267,11 +214,7 @@ impl FreePathSampler for Antithetic {
     fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         let (mut rng, mut u) = (streams.rng(), 0.0);
         for row in 0..out.rows {
-            u = if row.is_multiple_of(2) {
-                uniform(&mut rng)
-            } else {
-                1.0 - u
-            };
+            u = if row.is_multiple_of(2) { uniform(&mut rng) } else { 1.0 - u };
             let path = path(-libm::log1p(-u) / MU);
             out.put(row, path.t, 1.0, 0);
         }
@@ -280,14 +223,8 @@ impl FreePathSampler for Antithetic {
 
 fn walks() -> Vec<(&'static str, Reason, Judgement)> {
     let twice = Sampler {
-        draw: |_, rng| FreePath {
-            collisions: 2,
-            ..path(right(rng))
-        },
-        claims: |_| FreePathClaims {
-            coleman: true,
-            ..FreePathClaims::default()
-        },
+        draw: |_, rng| FreePath { collisions: 2, ..path(right(rng)) },
+        claims: |_| FreePathClaims { coleman: true, ..FreePathClaims::default() },
     };
     let looks = Sampler {
         draw: |medium, rng| {
@@ -297,10 +234,7 @@ fn walks() -> Vec<(&'static str, Reason, Judgement)> {
             }
             path(t)
         },
-        claims: |_| FreePathClaims {
-            lookups: Some(1.0 - escape()),
-            ..FreePathClaims::default()
-        },
+        claims: |_| FreePathClaims { lookups: Some(1.0 - escape()), ..FreePathClaims::default() },
     };
     vec![
         ("lag_1", Reason::Dependent, of_path(&Antithetic, 200_000)),
@@ -310,14 +244,8 @@ fn walks() -> Vec<(&'static str, Reason, Judgement)> {
 }
 
 fn estimates() -> Vec<(&'static str, Reason, Judgement)> {
-    let more = |path: FreePath, u: f64| FreePath {
-        collisions: path.collisions + u32::from(u < 0.05),
-        ..path
-    };
-    let doubled = Estimator {
-        lookups: 2,
-        ..changed(|path, _| path)
-    };
+    let more = |path: FreePath, u: f64| FreePath { collisions: path.collisions + u32::from(u < 0.05), ..path };
+    let doubled = Estimator { lookups: 2, ..changed(|path, _| path) };
     let of = |change, draws| of_estimate(&changed(change), draws);
     let bias = of(|path, _| weighing(path, 1.03), 400_000);
     let spread = of(|path, u| weighing(path, if u < 0.5 { 1.5 } else { 0.5 }), 400_000);
@@ -361,34 +289,19 @@ fn by_design() -> Vec<(&'static str, Reason, Judgement)> {
         },
     };
     let mean = Estimator {
-        claims: |truth| TransmittanceClaims {
-            own_mean: Some(1.05 * escape()),
-            ..of_ratio(truth)
-        },
+        claims: |truth| TransmittanceClaims { own_mean: Some(1.05 * escape()), ..of_ratio(truth) },
         ..changed(|path, _| path)
     };
-    let names = [
-        "own_atom",
-        "own_chi_square_16",
-        "own_chi_square_64",
-        "own_kolmogorov",
-    ];
+    let names = ["own_atom", "own_chi_square_16", "own_chi_square_64", "own_kolmogorov"];
     let law = names.map(|name| (name, Reason::WrongLaw, of_path(&other, 400_000)));
-    law.into_iter()
-        .chain([("own_mean", Reason::WrongLaw, of_estimate(&mean, 400_000))])
-        .collect()
+    law.into_iter().chain([("own_mean", Reason::WrongLaw, of_estimate(&mean, 400_000))]).collect()
 }
 
 #[test]
 fn every_test_rejects_a_mutant() {
-    let all: Vec<_> = [laws(), walks(), estimates(), chromatic(), by_design()]
-        .into_iter()
-        .flatten()
-        .collect();
-    let missed: Vec<_> = all
-        .iter()
-        .filter_map(|(test, reason, judgement)| caught(test, *reason, judgement))
-        .collect();
+    let all: Vec<_> = [laws(), walks(), estimates(), chromatic(), by_design()].into_iter().flatten().collect();
+    let missed: Vec<_> =
+        all.iter().filter_map(|(test, reason, judgement)| caught(test, *reason, judgement)).collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));
     let shown: BTreeSet<_> = all.iter().map(|(test, ..)| *test).collect();
     let facts = ["bound"]; // below
@@ -406,12 +319,7 @@ fn the_right_ones_pass() {
     let estimate = of_estimate(&changed(|path, _| path), 400_000);
     let weights = of_weights(|_, _| 1.0, 1.0);
     for judgement in [exact, estimate, weights] {
-        assert_eq!(
-            judgement.decision.verdict,
-            Verdict::Pass,
-            "{:?}",
-            judgement.decision
-        );
+        assert_eq!(judgement.decision.verdict, Verdict::Pass, "{:?}", judgement.decision);
     }
 }
 
@@ -434,31 +342,16 @@ fn facts_fail_at_once() {
         1,
     );
     fails(Reason::OutOfSupport, &outside);
-    fails(
-        Reason::OutOfSupport,
-        &of_path(&sampler(|_, rng| FreePath::at(right(rng))), 1),
-    );
+    fails(Reason::OutOfSupport, &of_path(&sampler(|_, rng| FreePath::at(right(rng))), 1));
     fails(
         Reason::NonFinite,
         &of_path(
-            &sampler(|_, rng| {
-                if uniform(rng) < 1e-3 {
-                    FreePath::at(f64::NAN)
-                } else {
-                    path(right(rng))
-                }
-            }),
+            &sampler(|_, rng| if uniform(rng) < 1e-3 { FreePath::at(f64::NAN) } else { path(right(rng)) }),
             1,
         ),
     );
-    fails(
-        Reason::SubjectError,
-        &of_path(&sampler(|_, _| panic!("a planted panic")), 1),
-    );
-    fails(
-        Reason::NonFinite,
-        &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0),
-    );
+    fails(Reason::SubjectError, &of_path(&sampler(|_, _| panic!("a planted panic")), 1));
+    fails(Reason::NonFinite, &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0));
 }
 
 #[test]
@@ -470,19 +363,10 @@ fn one_look_up_above_the_majorant_fails() {
         medium.mu(0.5);
         path(right(rng))
     });
-    let scene = Scene::Grey {
-        truth: &truth,
-        seen: &seen,
-    };
+    let scene = Scene::Grey { truth: &truth, seen: &seen };
     fails(
         Reason::BoundViolated,
-        &judgement(
-            &Subject {
-                draws: 1,
-                ..Subject::new(Work::FreePath(&clamped), scene)
-            },
-            5,
-        ),
+        &judgement(&Subject { draws: 1, ..Subject::new(Work::FreePath(&clamped), scene) }, 5),
     );
 }
 
@@ -500,19 +384,10 @@ fn a_collision_in_vacuum_fails() {
             f64::INFINITY
         })
     });
-    let scene = Scene::Grey {
-        truth: &truth,
-        seen: &truth,
-    };
+    let scene = Scene::Grey { truth: &truth, seen: &truth };
     fails(
         Reason::OutOfSupport,
-        &judgement(
-            &Subject {
-                draws: 200_000,
-                ..Subject::new(Work::FreePath(&stray), scene)
-            },
-            5,
-        ),
+        &judgement(&Subject { draws: 200_000, ..Subject::new(Work::FreePath(&stray), scene) }, 5),
     );
 }
 
@@ -542,15 +417,7 @@ impl FreePathSampler for Forgetful {
 
 #[test]
 fn a_row_that_is_not_written_or_not_there_fails() {
-    let of = |spoil| {
-        of_path(
-            &Forgetful {
-                blocks: AtomicUsize::new(0),
-                spoil,
-            },
-            40 * BLOCK as u64,
-        )
-    };
+    let of = |spoil| of_path(&Forgetful { blocks: AtomicUsize::new(0), spoil }, 40 * BLOCK as u64);
     fails(Reason::NonFinite, &of(|_| ()));
     fails(Reason::SubjectError, &of(|out| out.t.retain(|t| !t.is_nan())));
 }
@@ -570,13 +437,5 @@ impl FreePathSampler for BreaksLater {
 
 #[test]
 fn a_panic_in_the_second_stage_fails() {
-    fails(
-        Reason::SubjectError,
-        &of_path(
-            &BreaksLater {
-                draws: AtomicUsize::new(0),
-            },
-            10 * BLOCK as u64,
-        ),
-    );
+    fails(Reason::SubjectError, &of_path(&BreaksLater { draws: AtomicUsize::new(0) }, 10 * BLOCK as u64));
 }

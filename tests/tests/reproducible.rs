@@ -9,17 +9,10 @@ use freepath_harness::case::{Limits, Prepared};
 use freepath_tests::{case_paths, load, results};
 
 fn small() -> Vec<Prepared> {
-    let limits = Limits {
-        draws: Some(40_000),
-        ..Limits::default()
-    };
+    let limits = Limits { draws: Some(40_000), ..Limits::default() };
     let some = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
     let wanted = |path: &std::path::PathBuf| some.iter().any(|name| path.to_string_lossy().contains(name));
-    case_paths("cases")
-        .iter()
-        .filter(|path| wanted(path))
-        .flat_map(|path| load(path, &limits))
-        .collect()
+    case_paths("cases").iter().filter(|path| wanted(path)).flat_map(|path| load(path, &limits)).collect()
 }
 
 fn bytes(cases: &[Prepared]) -> String {
@@ -30,10 +23,7 @@ fn bytes(cases: &[Prepared]) -> String {
 fn results_have_the_same_bytes_for_any_number_of_threads() {
     let cases = small();
     let with = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .expect("a pool");
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| bytes(&cases))
     };
     let one = with(1);
@@ -66,11 +56,7 @@ fn another_seed_gives_other_draws() {
 }
 
 fn streams() -> Streams {
-    Streams::new(Key {
-        seed: 1,
-        subject: 2,
-        block: 3,
-    })
+    Streams::new(Key { seed: 1, subject: 2, block: 3 })
 }
 
 /// A change here is value-breaking: say so in the changelog.
@@ -81,9 +67,7 @@ fn the_first_draws_of_a_seed_are_pinned() -> Result<(), Box<dyn std::error::Erro
     DeltaTracking::default().sample_block(&medium, &streams(), &mut block);
     let streams = streams();
     let mut rng = streams.rng();
-    let scalar: Vec<f64> = (0..3)
-        .map(|_| DeltaTracking::default().sample(&medium, &mut rng).t)
-        .collect();
+    let scalar: Vec<f64> = (0..3).map(|_| DeltaTracking::default().sample(&medium, &mut rng).t).collect();
     let wave = Sinusoid::new(1.0, 0.9, 2.0, 2.185, 0.7)?;
     let mut ratio = Draws::new(1000).with_weight();
     RatioTracking {}.estimate_block(&wave, &streams, &mut ratio);
@@ -97,18 +81,6 @@ fn bits(x: &[f64]) -> [u64; 3] {
     std::array::from_fn(|i| x[i].to_bits())
 }
 
-const PINNED_BLOCK: [u64; 3] = [
-    0x3fec_8f2d_f272_12fc,
-    0x7ff0_0000_0000_0000,
-    0x3fec_3daa_ca77_36bd,
-];
-const PINNED_SCALAR: [u64; 3] = [
-    0x3fe3_42f8_155b_710a,
-    0x3fee_fcd4_760c_2b24,
-    0x3fe6_7e4a_952f_1ea4,
-];
-const PINNED_RATIO: [u64; 3] = [
-    0x3fd1_781b_058f_cba5,
-    0x3fb8_9b91_0136_1927,
-    0x3fec_8fea_6b34_7ea1,
-];
+const PINNED_BLOCK: [u64; 3] = [0x3fec_8f2d_f272_12fc, 0x7ff0_0000_0000_0000, 0x3fec_3daa_ca77_36bd];
+const PINNED_SCALAR: [u64; 3] = [0x3fe3_42f8_155b_710a, 0x3fee_fcd4_760c_2b24, 0x3fe6_7e4a_952f_1ea4];
+const PINNED_RATIO: [u64; 3] = [0x3fd1_781b_058f_cba5, 0x3fb8_9b91_0136_1927, 0x3fec_8fea_6b34_7ea1];

@@ -12,21 +12,12 @@ use std::sync::atomic::AtomicBool;
 
 #[test]
 fn every_claim_holds_for_the_scalar_method() {
-    let limits = Limits {
-        draws: Some(150_000),
-        ..Limits::default()
-    };
-    let cases: Vec<_> = case_paths("cases")
-        .iter()
-        .flat_map(|path| load(path, &limits))
-        .collect();
+    let limits = Limits { draws: Some(150_000), ..Limits::default() };
+    let cases: Vec<_> = case_paths("cases").iter().flat_map(|path| load(path, &limits)).collect();
     let mut wrong = Vec::new();
     for case in &cases {
         for prepared in case.subjects.iter().filter(|subject| subject.faults.is_empty()) {
-            let subject = Subject {
-                route: Route::Scalar,
-                ..prepared.runnable(&case.world, &case.case)
-            };
+            let subject = Subject { route: Route::Scalar, ..prepared.runnable(&case.world, &case.case) };
             wrong.extend(
                 surprise(&subject, prepared.spec.expect)
                     .map(|why| format!("{} {}: {why}", case.file, prepared.name)),
@@ -38,39 +29,16 @@ fn every_claim_holds_for_the_scalar_method() {
 
 fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectation>) -> Option<String> {
     let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
-    let watch = Watch {
-        cancelled: &never,
-        progress: &|_| (),
-    };
+    let watch = Watch { cancelled: &never, progress: &|_| () };
     let blocks = Subject::blocks(subject.draws);
     let stage = |range| collect(subject, &plan, 11, range, &watch).map(|seen| judge(subject, &plan, &seen));
     let first = stage(0..blocks).ok()?;
-    let second = if suspect(&first) {
-        stage(blocks..3 * blocks).ok()
-    } else {
-        None
-    };
-    let (one, two) = (
-        adjust([Some(&first)].into_iter()),
-        adjust([second.as_ref()].into_iter()),
-    );
-    let again = second.as_ref().map(|judged| Stage {
-        judged,
-        adjusted: &two.0[0],
-    });
-    let decision = decide(
-        Stage {
-            judged: &first,
-            adjusted: &one.0[0],
-        },
-        again,
-    );
+    let second = if suspect(&first) { stage(blocks..3 * blocks).ok() } else { None };
+    let (one, two) = (adjust([Some(&first)].into_iter()), adjust([second.as_ref()].into_iter()));
+    let again = second.as_ref().map(|judged| Stage { judged, adjusted: &two.0[0] });
+    let decision = decide(Stage { judged: &first, adjusted: &one.0[0] }, again);
     let (wanted, _, as_expected) = expected(stated, false, plan.design, &decision);
     let unsure = plan.design == Design::Unsure;
-    (!as_expected && !unsure).then(|| {
-        format!(
-            "{} where {wanted} is expected: {:?}",
-            decision.verdict, decision.notes
-        )
-    })
+    (!as_expected && !unsure)
+        .then(|| format!("{} where {wanted} is expected: {:?}", decision.verdict, decision.notes))
 }

@@ -16,10 +16,7 @@ fn root() -> &'static Path {
 fn the_committed_schema_is_current() {
     let committed = fs::read_to_string(root().join("case.schema.json")).unwrap_or_default();
     let current = format!("{:#}\n", case::schema());
-    assert!(
-        committed == current,
-        "run `cargo run -- schema > case.schema.json`"
-    );
+    assert!(committed == current, "run `cargo run -- schema > case.schema.json`");
 }
 
 /// Every key and every constant below `node`.
@@ -43,18 +40,11 @@ fn every_name_is_in_the_schema() {
     words(&case::schema(), &mut found);
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
-    let subjects = [
-        FreePathSubject::names(),
-        TransmittanceSubject::names(),
-        ChromaticSubject::NAMES,
-    ];
+    let subjects = [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::NAMES];
     let subjects = subjects.into_iter().flatten().copied();
     let media = AnyMedium::NAMES.iter().copied();
     for name in faults.chain(reasons).chain(subjects).chain(media) {
-        assert!(
-            found.iter().any(|word| word == name),
-            "{name} is not in the schema"
-        );
+        assert!(found.iter().any(|word| word == name), "{name} is not in the schema");
     }
 }
 
@@ -92,10 +82,7 @@ fn unknown(schema: &Value, node: &Value, value: &Value) -> Vec<String> {
                 None => vec![key.clone()],
             })
             .collect(),
-        Value::Array(items) => items
-            .iter()
-            .flat_map(|item| unknown(schema, &node["items"], item))
-            .collect(),
+        Value::Array(items) => items.iter().flat_map(|item| unknown(schema, &node["items"], item)).collect(),
         _ => Vec::new(),
     }
 }
@@ -105,19 +92,10 @@ fn the_schema_knows_every_key_of_the_shipped_cases() {
     let schema = case::schema();
     for folder in ["cases", "cases/controls"] {
         let files = fs::read_dir(root().join(folder)).map(|files| files.flatten().map(|file| file.path()));
-        for path in files
-            .into_iter()
-            .flatten()
-            .filter(|path| path.extension().is_some_and(|end| end == "json"))
-        {
+        for path in files.into_iter().flatten().filter(|path| path.extension().is_some_and(|end| end == "json")) {
             let case = CaseFile::load(&path).map(|file| file.case);
             let case = serde_json::to_value(case.unwrap_or_else(|why| panic!("{why}"))).unwrap_or_default();
-            assert_eq!(
-                unknown(&schema, &schema, &case),
-                Vec::<String>::new(),
-                "{}",
-                path.display()
-            );
+            assert_eq!(unknown(&schema, &schema, &case), Vec::<String>::new(), "{}", path.display());
         }
     }
 }

@@ -43,9 +43,7 @@ fn search(path: &Path, out: &Path, files: &mut Vec<PathBuf>) -> Result<(), Strin
         let path = entry.path();
         // Links to folders are not followed: they may lead in a circle.
         let folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-        let case = path
-            .extension()
-            .is_some_and(|end| end == "json" || end == "jsonc");
+        let case = path.extension().is_some_and(|end| end == "json" || end == "jsonc");
         if (folder && !same(&path, out)) || (!folder && case && !path.is_dir()) {
             search(&path, out, files)?;
         }

@@ -7,15 +7,10 @@ use freepath_harness::run::id;
 /// Keeps the subjects whose id, name, case or file holds `text`, or matches it if it has a `*`. An id given in full names
 /// one subject, though it be part of another id.
 pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>, Trouble> {
-    let exact = cases
-        .iter()
-        .any(|case| case.subjects.iter().any(|subject| id(case, subject) == text));
+    let exact = cases.iter().any(|case| case.subjects.iter().any(|subject| id(case, subject) == text));
     for case in &mut cases {
         let ids: Vec<_> = case.subjects.iter().map(|subject| id(case, subject)).collect();
-        let of_case = !exact
-            && [&case.file, &case.case.title]
-                .iter()
-                .any(|word| matches(word, text));
+        let of_case = !exact && [&case.file, &case.case.title].iter().any(|word| matches(word, text));
         let mut ids = ids.iter();
         case.subjects.retain(|subject| {
             let id = ids.next().map_or("", String::as_str);
@@ -28,9 +23,7 @@ pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>
     cases.retain(|case| !case.subjects.is_empty());
     match cases.is_empty() {
         false => Ok(cases),
-        true => Err(Trouble::unusable(format!(
-            "no subject matches the filter {text:?}"
-        ))),
+        true => Err(Trouble::unusable(format!("no subject matches the filter {text:?}"))),
     }
 }
 

@@ -50,9 +50,7 @@ pub(crate) fn entries() -> Vec<Entry> {
     let schema = case::schema();
     let of_kind = |&(kind, definition): &(&'static str, &str)| {
         let variants = variants(&schema, &schema["$defs"][definition]);
-        variants
-            .into_iter()
-            .map(move |(name, body, words)| (kind, name, body, words))
+        variants.into_iter().map(move |(name, body, words)| (kind, name, body, words))
     };
     let known = IN_SCHEMA.iter().flat_map(of_kind);
     let mut entries: Vec<Entry> = known
@@ -110,10 +108,7 @@ fn variants<'a>(schema: &'a Value, node: &'a Value) -> Vec<(&'a str, &'a Value, 
     let node = resolve(schema, node);
     let words = |node: &'a Value| node["description"].as_str().unwrap_or("");
     if let Some(choices) = node["oneOf"].as_array().or_else(|| node["anyOf"].as_array()) {
-        return choices
-            .iter()
-            .flat_map(|choice| variants(schema, choice))
-            .collect();
+        return choices.iter().flat_map(|choice| variants(schema, choice)).collect();
     }
     if let Some(name) = node["const"].as_str() {
         return vec![(name, &Value::Null, words(node))];

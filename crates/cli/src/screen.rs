@@ -11,9 +11,9 @@ use std::io::{ErrorKind, Write, stdout};
 pub(crate) fn print(text: &str) -> Result<(), Trouble> {
     let mut out = stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(why) if why.kind() != ErrorKind::BrokenPipe => Err(Trouble::Running(format!(
-            "cannot write to standard output: {why}"
-        ))),
+        Err(why) if why.kind() != ErrorKind::BrokenPipe => {
+            Err(Trouble::Running(format!("cannot write to standard output: {why}")))
+        }
         _ => Ok(()),
     }
 }

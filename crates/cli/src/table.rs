@@ -30,13 +30,7 @@ impl<'a> Row<'a> {
         }
         Self {
             of,
-            cells: [
-                of.verdict.to_string(),
-                cell(&of.kind, 13),
-                cell(&of.subject, 28),
-                case,
-                figure(of),
-            ],
+            cells: [of.verdict.to_string(), cell(&of.kind, 13), cell(&of.subject, 28), case, figure(of)],
             reasons,
         }
     }
@@ -59,10 +53,7 @@ impl<'a> Row<'a> {
 /// How far the subject is off, if it fails; else how far it could still be, and what would have been seen.
 fn figure(of: &SubjectResult) -> String {
     let worst = |a: &&MeanResult, b: &&MeanResult| a.bias.0.abs().total_cmp(&b.bias.0.abs());
-    let means = of
-        .mean
-        .iter()
-        .chain(of.channels.iter().map(|channel| &channel.mean));
+    let means = of.mean.iter().chain(of.channels.iter().map(|channel| &channel.mean));
     let bound = |x: Real, seen: Real| format!("bound {:.1e}, detectable {:.1e}", x.0, seen.0);
     match (&of.law, means.max_by(worst), of.verdict) {
         (Some(law), _, Verdict::Fail) => format!("gap {:.1e}", law.distance.0),
@@ -75,12 +66,7 @@ fn figure(of: &SubjectResult) -> String {
 
 /// One line for each subject of which `shown` says so.
 pub(crate) fn lines(results: &Results, color: bool, shown: impl Fn(&SubjectResult) -> bool) -> String {
-    let rows: Vec<_> = results
-        .results
-        .iter()
-        .filter(|of| shown(of))
-        .map(Row::new)
-        .collect();
+    let rows: Vec<_> = results.results.iter().filter(|of| shown(of)).map(Row::new).collect();
     let width = |column: usize| {
         let lengths = rows.iter().map(|row| row.cells[column].chars().count());
         lengths.max().unwrap_or(0)
@@ -94,12 +80,7 @@ pub(crate) fn stories(results: &Results) -> String {
     let surprises: Vec<_> = results.results.iter().filter(|of| !of.as_expected).collect();
     let mut text = String::new();
     for of in surprises.iter().take(MOST_STORIES) {
-        text += &format!(
-            "\n{}: {}, expected {}\n",
-            of.id,
-            of.verdict,
-            cell(&of.expected, 60)
-        );
+        text += &format!("\n{}: {}, expected {}\n", of.id, of.verdict, cell(&of.expected, 60));
         for note in &of.notes {
             text += &format!("  {}\n", cell(note, 300));
         }

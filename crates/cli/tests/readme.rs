@@ -22,9 +22,7 @@ fn blocks(language: &str) -> Vec<String> {
     let readme = text("README.md");
     let opened = format!("```{language}\n");
     let after = readme.split(&opened).skip(1);
-    after
-        .map(|rest| rest.split("```").next().unwrap_or(rest).to_string())
-        .collect()
+    after.map(|rest| rest.split("```").next().unwrap_or(rest).to_string()).collect()
 }
 
 /// The binary, run at the root.
@@ -53,16 +51,9 @@ fn every_command_runs() {
             assert_eq!(line, "cargo test --workspace", "an unknown command");
             continue;
         };
-        let variables: Vec<_> = variables
-            .split_whitespace()
-            .map(|set| set.split_once('=').unwrap())
-            .collect();
+        let variables: Vec<_> = variables.split_whitespace().map(|set| set.split_once('=').unwrap()).collect();
         let done = freepath(&arguments(rest, "readme"), &variables);
-        assert!(
-            done.status.success(),
-            "{line}: {}",
-            String::from_utf8_lossy(&done.stderr)
-        );
+        assert!(done.status.success(), "{line}: {}", String::from_utf8_lossy(&done.stderr));
         runs += 1;
     }
     assert!(runs >= 5, "only {runs} commands were found");
@@ -75,12 +66,8 @@ fn the_case_is_the_example_and_can_be_prepared() {
     for case in &cases {
         assert_eq!(case, &text("examples/fog.json"));
         let path = root().join("examples/fog.json");
-        let prepared =
-            CaseFile::parse(&path, case.as_str()).and_then(|file| file.prepare(&Limits::default()));
-        assert_eq!(
-            prepared.unwrap_or_else(|why| panic!("{why}"))[0].subjects.len(),
-            4
-        );
+        let prepared = CaseFile::parse(&path, case.as_str()).and_then(|file| file.prepare(&Limits::default()));
+        assert_eq!(prepared.unwrap_or_else(|why| panic!("{why}"))[0].subjects.len(), 4);
     }
 }
 
@@ -92,10 +79,7 @@ fn the_transcript_of_the_case_is_real() {
     let said = String::from_utf8(done.stdout).unwrap();
     let (said, _) = said.split_once("report: ").unwrap();
     let shown = blocks("text");
-    assert!(
-        shown.iter().any(|block| block.starts_with(said)),
-        "paste this into README.md:\n{said}"
-    );
+    assert!(shown.iter().any(|block| block.starts_with(said)), "paste this into README.md:\n{said}");
 }
 
 #[test]
@@ -111,20 +95,13 @@ fn the_code_is_that_of_the_example() {
 #[test]
 fn every_name_is_told() {
     let readme = text("README.md");
-    let subjects = [
-        FreePathSubject::names(),
-        TransmittanceSubject::names(),
-        ChromaticSubject::NAMES,
-        AnyMedium::NAMES,
-    ];
+    let subjects =
+        [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::NAMES, AnyMedium::NAMES];
     let names = subjects.into_iter().flatten().copied();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
     for name in names.chain(faults).chain(reasons) {
-        assert!(
-            readme.contains(&format!("`{name}`")),
-            "README.md does not tell of {name}"
-        );
+        assert!(readme.contains(&format!("`{name}`")), "README.md does not tell of {name}");
     }
 }
 
@@ -132,10 +109,7 @@ fn every_name_is_told() {
 fn every_link_leads_somewhere() {
     for file in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
         let page = text(file);
-        let links = page
-            .split("](")
-            .skip(1)
-            .map(|rest| rest.split(')').next().unwrap_or(""));
+        let links = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap_or(""));
         for link in links.filter(|link| !link.starts_with("http") && !link.starts_with("reports/gallery/")) {
             assert!(root().join(link).exists(), "{file} links to {link}");
         }

@@ -23,14 +23,7 @@ pub struct FreePathClaims<'a> {
 
 impl Default for FreePathClaims<'_> {
     fn default() -> Self {
-        Self {
-            bounded: true,
-            own_law: None,
-            lookups: None,
-            coleman: false,
-            continuous: true,
-            order: None,
-        }
+        Self { bounded: true, own_law: None, lookups: None, coleman: false, continuous: true, order: None }
     }
 }
 

@@ -11,16 +11,7 @@ pub(crate) const TILE: usize = 256;
 
 /// A number of steps, 1 to [`MOST_STEPS`].
 #[derive(
-    Clone,
-    Copy,
-    Debug,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    serde::Deserialize,
-    serde::Serialize,
-    schemars::JsonSchema,
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
 )]
 #[serde(try_from = "usize", into = "usize")]
 pub struct Steps(usize);
@@ -116,10 +107,7 @@ pub(crate) struct Compensated<const N: usize> {
 impl<const N: usize> Default for Compensated<N> {
     #[inline(always)]
     fn default() -> Self {
-        Self {
-            total: [0.0; N],
-            lost: [0.0; N],
-        }
+        Self { total: [0.0; N], lost: [0.0; N] }
     }
 }
 

@@ -19,46 +19,31 @@ impl Draws {
     /// A block of `rows` draws with no column.
     #[must_use]
     pub fn new(rows: usize) -> Self {
-        Self {
-            rows,
-            ..Self::default()
-        }
+        Self { rows, ..Self::default() }
     }
 
     /// The same with a column of free paths. Unwritten rows are NaN, which every test rejects.
     #[must_use]
     pub fn with_t(self) -> Self {
-        Self {
-            t: vec![f64::NAN; self.rows],
-            ..self
-        }
+        Self { t: vec![f64::NAN; self.rows], ..self }
     }
 
     /// The same with a column of weights.
     #[must_use]
     pub fn with_weight(self) -> Self {
-        Self {
-            weight: vec![f64::NAN; self.rows],
-            ..self
-        }
+        Self { weight: vec![f64::NAN; self.rows], ..self }
     }
 
     /// The same with a column of collision counts.
     #[must_use]
     pub fn with_collisions(self) -> Self {
-        Self {
-            collisions: vec![0; self.rows],
-            ..self
-        }
+        Self { collisions: vec![0; self.rows], ..self }
     }
 
     /// The same with a column of weights for each of `channels` channels.
     #[must_use]
     pub fn with_channels(self, channels: usize) -> Self {
-        Self {
-            channels: vec![vec![f64::NAN; self.rows]; channels],
-            ..self
-        }
+        Self { channels: vec![vec![f64::NAN; self.rows]; channels], ..self }
     }
 
     /// Writes one row into the columns that are wanted.

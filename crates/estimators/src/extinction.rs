@@ -5,16 +5,7 @@ use crate::{quadrature, simd};
 
 /// How mu behaves between two neighbouring [`Extinction::breaks`].
 #[derive(
-    Clone,
-    Copy,
-    Debug,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    serde::Deserialize,
-    serde::Serialize,
-    schemars::JsonSchema,
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
 )]
 #[serde(rename_all = "snake_case")]
 pub enum Cells {
@@ -113,9 +104,7 @@ pub(crate) fn invert(depth: f64, total: f64, inside: impl FnOnce() -> f64) -> f6
 /// Solves tau(t) = depth over the whole length.
 fn solve<M: Medium + ?Sized>(medium: &M, depth: f64) -> f64 {
     let length = medium.length();
-    invert(depth, medium.tau(length), || {
-        solve_between(medium, depth, 0.0, length)
-    })
+    invert(depth, medium.tau(length), || solve_between(medium, depth, 0.0, length))
 }
 
 /// Solves tau(t) = depth for a root between `low` and `high`: Newton's method, falling back on bisection where a step

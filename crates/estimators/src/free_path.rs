@@ -28,11 +28,7 @@ impl FreePath {
     /// An unweighted collision at `t`, or escape if `t` is infinite.
     #[must_use]
     pub fn at(t: f64) -> Self {
-        Self {
-            t,
-            weight: 1.0,
-            collisions: 0,
-        }
+        Self { t, weight: 1.0, collisions: 0 }
     }
 }
 

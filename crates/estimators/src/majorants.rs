@@ -20,12 +20,7 @@ impl Majorants {
     /// One bound for the whole length. Minimum and mean are not known: 0 and NaN.
     #[must_use]
     pub fn constant(mu_bar: f64, length: f64) -> Self {
-        Self {
-            ends: vec![length],
-            mu_bar: vec![mu_bar],
-            mu_min: vec![0.0],
-            mu_mean: vec![f64::NAN],
-        }
+        Self { ends: vec![length], mu_bar: vec![mu_bar], mu_min: vec![0.0], mu_mean: vec![f64::NAN] }
     }
 
     /// The least bounds of `medium` on `segments` segments of equal length.
@@ -33,20 +28,11 @@ impl Majorants {
     pub fn tight(medium: &dyn Medium, segments: usize) -> Self {
         let length = medium.length();
         let end = |k: usize| {
-            if k + 1 == segments {
-                length
-            } else {
-                length * (k + 1) as f64 / segments as f64
-            }
+            if k + 1 == segments { length } else { length * (k + 1) as f64 / segments as f64 }
         };
         let ends: Vec<f64> = (0..segments).map(end).collect();
         let mu_bar = spans(&ends).map(|span| greatest(medium, span)).collect();
-        Self {
-            ends,
-            mu_bar,
-            ..Self::default()
-        }
-        .measured(medium)
+        Self { ends, mu_bar, ..Self::default() }.measured(medium)
     }
 
     /// The given bounds on the given segments, with minimum and mean taken from `medium`.
@@ -54,12 +40,7 @@ impl Majorants {
     /// # Errors
     /// If the ends do not increase to the medium's length, or a bound is negative, NaN or infinite.
     pub fn explicit(medium: &dyn Medium, ends: Vec<f64>, mu_bar: Vec<f64>) -> Result<Self, ParameterError> {
-        parameter::require(
-            ends.len() == mu_bar.len(),
-            "mu_bar",
-            mu_bar.len(),
-            "as many as the ends",
-        )?;
+        parameter::require(ends.len() == mu_bar.len(), "mu_bar", mu_bar.len(), "as many as the ends")?;
         for (start, end) in spans(&ends) {
             parameter::require(end > start, "ends", end, "finite and increasing from above 0")?;
         }
@@ -74,27 +55,16 @@ impl Majorants {
         if let Some(last) = ends.last_mut() {
             *last = medium.length();
         }
-        Ok(Self {
-            ends,
-            mu_bar,
-            ..Self::default()
-        }
-        .measured(medium))
+        Ok(Self { ends, mu_bar, ..Self::default() }.measured(medium))
     }
 
     /// The same bounds, with the exact minimum and mean of `medium` in each segment.
     #[must_use]
     pub fn measured(self, medium: &dyn Medium) -> Self {
         let mean = |(start, end): (f64, f64)| (medium.tau(end) - medium.tau(start)) / (end - start);
-        let mu_min = spans(&self.ends)
-            .map(|(start, end)| medium.extrema(start, end).0)
-            .collect();
+        let mu_min = spans(&self.ends).map(|(start, end)| medium.extrema(start, end).0).collect();
         let mu_mean = spans(&self.ends).map(mean).collect();
-        Self {
-            mu_min,
-            mu_mean,
-            ..self
-        }
+        Self { mu_min, mu_mean, ..self }
     }
 
     /// Where the segments end, increasing; the last is the length.
@@ -131,11 +101,7 @@ impl Majorants {
     #[must_use]
     pub fn mu_bar_at(&self, t: f64) -> f64 {
         let k = self.ends.partition_point(|&end| end <= t);
-        self.mu_bar[if k < self.ends.len() {
-            k
-        } else {
-            self.ends.len() - 1
-        }]
+        self.mu_bar[if k < self.ends.len() { k } else { self.ends.len() - 1 }]
     }
 
     /// The bound that holds at each `t`.
@@ -160,10 +126,7 @@ impl Majorants {
     pub fn depth(&self, t: f64) -> f64 {
         let reach = |(start, end): (f64, f64)| if t < end { t - start } else { end - start };
         let crossed = self.segments().take_while(|&(start, _)| start < t);
-        crossed
-            .zip(&self.mu_bar)
-            .map(|(span, mu_bar)| reach(span) * mu_bar)
-            .sum()
+        crossed.zip(&self.mu_bar).map(|(span, mu_bar)| reach(span) * mu_bar).sum()
     }
 
     /// The same segments with `change` applied to bound, minimum and mean (a scaling, say).
@@ -171,21 +134,13 @@ impl Majorants {
     pub fn map(&self, change: impl Fn(f64) -> f64) -> Self {
         let each = |values: &[f64]| values.iter().map(|&x| change(x)).collect();
         let (mu_bar, mu_min, mu_mean) = (each(&self.mu_bar), each(&self.mu_min), each(&self.mu_mean));
-        Self {
-            ends: self.ends.clone(),
-            mu_bar,
-            mu_min,
-            mu_mean,
-        }
+        Self { ends: self.ends.clone(), mu_bar, mu_min, mu_mean }
     }
 
     /// The same segments and knowledge with `change` applied to the bounds alone.
     #[must_use]
     pub fn map_bounds(&self, change: impl Fn(f64) -> f64) -> Self {
-        Self {
-            mu_bar: self.mu_bar.iter().map(|&x| change(x)).collect(),
-            ..self.clone()
-        }
+        Self { mu_bar: self.mu_bar.iter().map(|&x| change(x)).collect(), ..self.clone() }
     }
 
     /// The same, with each bound raised to the greatest mu of `medium` where that exceeds it.
@@ -211,11 +166,7 @@ impl Majorants {
 
 /// The greatest mu of a segment, which does not hold its own end: a jump there belongs to the next.
 fn greatest(medium: &dyn Medium, (start, end): (f64, f64)) -> f64 {
-    let end = if end < medium.length() {
-        end.next_down()
-    } else {
-        end
-    };
+    let end = if end < medium.length() { end.next_down() } else { end };
     medium.extrema(start, end).1
 }
 
@@ -271,12 +222,7 @@ impl MajorantChoice {
             Self::Explicit { ends, mu_bar } => Majorants::explicit(medium, ends.clone(), mu_bar.clone())?,
         };
         let depth = majorants.depth(medium.length());
-        parameter::require(
-            depth <= 1e5,
-            "majorant",
-            depth,
-            "of an integral up to 1e5 along the ray",
-        )?;
+        parameter::require(depth <= 1e5, "majorant", depth, "of an integral up to 1e5 along the ray")?;
         Ok(majorants)
     }
 }

@@ -52,8 +52,7 @@ pub fn exp(x: f64) -> f64 {
         + q * (8.333_333_333_326_136e-3
             + q * (1.984_126_987_482_062_7e-4
                 + q * (2.755_725_540_020_642_2e-6 + q * 2.510_521_700_472_074_5e-8)));
-    let value =
-        (1.0 + (r + q * (even + r * odd))) * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52);
+    let value = (1.0 + (r + q * (even + r * odd))) * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52);
     if x < -700.0 { 0.0 } else { value }
 }
 

@@ -92,9 +92,7 @@ macro_rules! describes_itself {
                 &self,
                 _surroundings: &dyn crate::medium::Surroundings,
             ) -> Result<crate::medium::Built, crate::parameter::ParameterError> {
-                Ok(crate::medium::Built::Grey(std::sync::Arc::new(
-                    self.clone(),
-                )))
+                Ok(crate::medium::Built::Grey(std::sync::Arc::new(self.clone())))
             }
         }
     };

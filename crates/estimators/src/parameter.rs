@@ -12,18 +12,12 @@ pub struct ParameterError {
 impl ParameterError {
     /// `name` was `value` and must be `must_be` (a phrase such as "finite and positive").
     pub fn new(name: &'static str, value: impl fmt::Display, must_be: impl fmt::Display) -> Self {
-        Self {
-            name,
-            why: format!(" must be {must_be}, not {value}"),
-        }
+        Self { name, why: format!(" must be {must_be}, not {value}") }
     }
 
     /// What `name` names cannot be used, for a reason that is a sentence of its own.
     pub fn unusable(name: &'static str, why: impl fmt::Display) -> Self {
-        Self {
-            name,
-            why: format!(": {why}"),
-        }
+        Self { name, why: format!(": {why}") }
     }
 
     /// The parameter's name, as in a case file.
@@ -46,12 +40,7 @@ impl std::error::Error for ParameterError {}
 /// # Errors
 /// Otherwise, NaN included.
 pub fn positive(name: &'static str, value: f64) -> Result<f64, ParameterError> {
-    require(
-        value > 0.0 && value < f64::INFINITY,
-        name,
-        value,
-        "finite and positive",
-    )
+    require(value > 0.0 && value < f64::INFINITY, name, value, "finite and positive")
 }
 
 /// `value`, if it is finite and not negative.
@@ -59,12 +48,7 @@ pub fn positive(name: &'static str, value: f64) -> Result<f64, ParameterError> {
 /// # Errors
 /// Otherwise, NaN included.
 pub fn not_negative(name: &'static str, value: f64) -> Result<f64, ParameterError> {
-    require(
-        value >= 0.0 && value < f64::INFINITY,
-        name,
-        value,
-        "finite and not negative",
-    )
+    require(value >= 0.0 && value < f64::INFINITY, name, value, "finite and not negative")
 }
 
 /// `value`, if it is finite.
@@ -85,9 +69,5 @@ pub fn require<T: fmt::Display>(
     value: T,
     must_be: &str,
 ) -> Result<T, ParameterError> {
-    if holds {
-        Ok(value)
-    } else {
-        Err(ParameterError::new(name, value, must_be))
-    }
+    if holds { Ok(value) } else { Err(ParameterError::new(name, value, must_be)) }
 }

@@ -20,12 +20,8 @@ const KRONROD: [f64; 8] = [
     0.204_432_940_075_298_9,
     0.209_482_141_084_727_83,
 ];
-const GAUSS: [f64; 4] = [
-    0.129_484_966_168_869_7,
-    0.279_705_391_489_276_64,
-    0.381_830_050_505_118_93,
-    0.417_959_183_673_469_4,
-];
+const GAUSS: [f64; 4] =
+    [0.129_484_966_168_869_7, 0.279_705_391_489_276_64, 0.381_830_050_505_118_93, 0.417_959_183_673_469_4];
 
 /// An integral and an estimate of its absolute error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,11 +46,7 @@ pub fn integrate(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64]) -> Inte
     let scale: f64 = coarse.iter().map(|panel| panel.value.abs()).sum();
     let (mut total, mut panels) = (Integral::default(), MOST_PANELS);
     for (w, first) in ends.windows(2).zip(coarse) {
-        let part = Refine {
-            f,
-            panels: &mut panels,
-        }
-        .refine((w[0], w[1]), first, 1e-13 * scale, 40);
+        let part = Refine { f, panels: &mut panels }.refine((w[0], w[1]), first, 1e-13 * scale, 40);
         total.value += part.value;
         total.error += part.error;
     }
@@ -80,10 +72,7 @@ impl Refine<'_> {
             self.refine((a, b), whole, 0.5 * tolerance, depth - 1)
         };
         let (left, right) = (half(a, m), half(m, b));
-        Integral {
-            value: left.value + right.value,
-            error: left.error + right.error,
-        }
+        Integral { value: left.value + right.value, error: left.error + right.error }
     }
 }
 
@@ -95,10 +84,7 @@ fn panel(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> Integral {
         kronrod += by_kronrod * y;
         difference += (by_kronrod - by_gauss) * y;
     }
-    Integral {
-        value: kronrod,
-        error: difference.abs(),
-    }
+    Integral { value: kronrod, error: difference.abs() }
 }
 
 /// The 15 points of a panel, each with its weight in the Kronrod and in the Gauss rule.
@@ -133,10 +119,6 @@ mod tests {
 
     #[test]
     fn a_nan_is_not_hidden() {
-        assert!(
-            integrate(&|t| if t > 0.9 { f64::NAN } else { 1.0 }, 0.0, 1.0, &[])
-                .value
-                .is_nan()
-        );
+        assert!(integrate(&|t| if t > 0.9 { f64::NAN } else { 1.0 }, 0.0, 1.0, &[]).value.is_nan());
     }
 }

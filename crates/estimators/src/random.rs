@@ -48,10 +48,7 @@ impl Key {
                 row[lane] = word;
             }
         }
-        Lanes {
-            state,
-            spare: self.lane(LANES),
-        }
+        Lanes { state, spare: self.lane(LANES) }
     }
 
     /// SplitMix64 (Steele, Lea and Flood 2014) over the words of the address.
@@ -98,11 +95,7 @@ impl Script {
     /// The scripted word number `i`, if the script still speaks.
     #[inline]
     fn word(&self, i: usize) -> Option<u64> {
-        let i = if self.repeat && !self.prefix.is_empty() {
-            i % self.prefix.len()
-        } else {
-            i
-        };
+        let i = if self.repeat && !self.prefix.is_empty() { i % self.prefix.len() } else { i };
         self.prefix.get(i).copied()
     }
 }
@@ -123,29 +116,19 @@ impl Streams {
     /// The real streams of `key`.
     #[must_use]
     pub fn new(key: Key) -> Self {
-        Self {
-            key,
-            script: None,
-            budget: u64::MAX,
-        }
+        Self { key, script: None, budget: u64::MAX }
     }
 
     /// The same, behind a script.
     #[must_use]
     pub fn scripted(self, script: Script) -> Self {
-        Self {
-            script: Some(script),
-            ..self
-        }
+        Self { script: Some(script), ..self }
     }
 
     /// The same, with at most `words` words for the scalar generator; past them it unwinds with [`Spent`].
     #[must_use]
     pub fn with_budget(self, words: u64) -> Self {
-        Self {
-            budget: words,
-            ..self
-        }
+        Self { budget: words, ..self }
     }
 
     /// The address.
@@ -163,12 +146,7 @@ impl Streams {
     /// The generator of the scalar path.
     #[must_use]
     pub fn rng(&self) -> StreamRng<'_> {
-        StreamRng {
-            inner: self.key.rng(),
-            script: self.script.as_ref(),
-            drawn: 0,
-            budget: self.budget,
-        }
+        StreamRng { inner: self.key.rng(), script: self.script.as_ref(), drawn: 0, budget: self.budget }
     }
 }
 
@@ -191,9 +169,8 @@ impl TryRng for StreamRng<'_> {
         if self.drawn >= self.budget {
             std::panic::resume_unwind(Box::new(Spent));
         }
-        let scripted = self
-            .script
-            .and_then(|script| script.word(usize::try_from(self.drawn).unwrap_or(usize::MAX)));
+        let scripted =
+            self.script.and_then(|script| script.word(usize::try_from(self.drawn).unwrap_or(usize::MAX)));
         self.drawn += 1;
         match scripted {
             Some(word) => Ok(word),
@@ -270,11 +247,7 @@ impl<'a> ScriptedLanes<'a> {
     /// The lanes of `key` behind `script`.
     #[must_use]
     pub fn new(key: Key, script: &'a Script) -> Self {
-        Self {
-            lanes: key.lanes(),
-            script,
-            drawn: 0,
-        }
+        Self { lanes: key.lanes(), script, drawn: 0 }
     }
 
     fn scripted(&mut self) -> Option<f64> {
@@ -307,11 +280,7 @@ mod tests {
 
     #[test]
     fn every_lane_is_the_stream_of_rand_xoshiro() {
-        let key = Key {
-            seed: 3,
-            subject: 4,
-            block: 5,
-        };
+        let key = Key { seed: 3, subject: 4, block: 5 };
         let mut lanes = key.lanes();
         let mut alone: Vec<_> = (0..LANES).map(|lane| key.lane(lane)).collect();
         let mut words = [0; LANES];
@@ -326,13 +295,7 @@ mod tests {
     #[test]
     fn neighbouring_keys_share_no_stream() {
         let first = |seed, subject, block| Key { seed, subject, block }.rng().next_u64();
-        let words = [
-            first(1, 0, 0),
-            first(0, 1, 0),
-            first(0, 0, 1),
-            first(0, 0, 0),
-            first(1, 1, 1),
-        ];
+        let words = [first(1, 0, 0), first(0, 1, 0), first(0, 0, 1), first(0, 0, 0), first(1, 1, 1)];
         for (i, a) in words.iter().enumerate() {
             assert!(words[..i].iter().all(|b| a != b));
         }
@@ -340,10 +303,7 @@ mod tests {
 
     #[test]
     fn a_script_speaks_first_and_a_budget_ends_the_stream() {
-        let script = Script {
-            prefix: vec![0, u64::MAX],
-            repeat: false,
-        };
+        let script = Script { prefix: vec![0, u64::MAX], repeat: false };
         let streams = Streams::new(Key::default()).scripted(script).with_budget(3);
         let mut rng = streams.rng();
         assert_eq!((rng.next_u64(), rng.next_u64()), (0, u64::MAX));

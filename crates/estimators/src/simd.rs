@@ -1,9 +1,6 @@
 //! One piece of code, compiled for every instruction set, chosen when it runs. The only `unsafe` of the workspace.
 
-#![expect(
-    unsafe_code,
-    reason = "calling a function compiled for an instruction set that was detected"
-)]
+#![expect(unsafe_code, reason = "calling a function compiled for an instruction set that was detected")]
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -49,10 +46,7 @@ pub fn isa() -> Isa {
 
 fn requested() -> Isa {
     let name = std::env::var("FREEPATH_ISA").unwrap_or_default();
-    Isa::ALL
-        .into_iter()
-        .find(|isa| isa.name() == name)
-        .unwrap_or(Isa::Avx512)
+    Isa::ALL.into_iter().find(|isa| isa.name() == name).unwrap_or(Isa::Avx512)
 }
 
 /// Use at most this instruction set from now on (tests, benches). Returns what is used: never more than the CPU has.

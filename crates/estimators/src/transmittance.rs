@@ -28,11 +28,7 @@ pub trait TransmittanceEstimator: Send + Sync {
     fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         one_by_one(streams, out, |rng| {
             let weight = self.estimate(medium, rng);
-            FreePath {
-                t: f64::INFINITY,
-                weight,
-                collisions: 0,
-            }
+            FreePath { t: f64::INFINITY, weight, collisions: 0 }
         });
     }
 

@@ -88,13 +88,7 @@ pub fn walk<R: CollisionRule>(
         }
         let u = if R::DRAWS { uniform(rng) } else { 0.0 };
         let mu = medium.mu(t);
-        let at = Collision {
-            t,
-            mu,
-            mfp,
-            control,
-            u,
-        };
+        let at = Collision { t, mu, mfp, control, u };
         let (next, stop) = rule.collide(state, at);
         (state, collisions) = (next, collisions + 1);
         if stop {
@@ -102,11 +96,7 @@ pub fn walk<R: CollisionRule>(
         }
     };
     let weight = rule.weight(state, escaped);
-    FreePath {
-        t,
-        weight,
-        collisions,
-    }
+    FreePath { t, weight, collisions }
 }
 
 /// The provided block of a scalar sampler: as many calls of `draw` as `out` has rows.

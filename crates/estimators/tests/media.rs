@@ -42,11 +42,7 @@ fn tau_is_monotone_and_additive() {
         for pair in places(&medium, 11).windows(2) {
             let step = medium.tau(pair[1]) - medium.tau(pair[0]);
             let want = quadrature::integrate(&|s| medium.mu(s), pair[0], pair[1], medium.breaks()).value;
-            assert!(
-                (step - want).abs() <= 1e-11 * want + 2e-15 * total,
-                "{name} at {}",
-                pair[0]
-            );
+            assert!((step - want).abs() <= 1e-11 * want + 2e-15 * total, "{name} at {}", pair[0]);
         }
     }
 }
@@ -87,34 +83,19 @@ fn the_inverse_of_tau_knows_both_ends() {
 fn extrema_bound_and_are_attained() {
     for (name, medium) in zoo() {
         let d = medium.length();
-        for (a, b) in [
-            (0.0, d),
-            (0.1 * d, 0.35 * d),
-            (0.3 * d, 0.9 * d),
-            (0.77 * d, d),
-            (0.5 * d, 0.5 * d),
-        ] {
+        for (a, b) in [(0.0, d), (0.1 * d, 0.35 * d), (0.3 * d, 0.9 * d), (0.77 * d, d), (0.5 * d, 0.5 * d)] {
             let (low, high) = medium.extrema(a, b);
             let scan = (0..=20_000).map(|i| a + (b - a) * f64::from(i) / 20_000.0);
-            let inside = scan
-                .chain(places(&medium, 1))
-                .chain([b])
-                .filter(|&t| a <= t && t <= b);
+            let inside = scan.chain(places(&medium, 1)).chain([b]).filter(|&t| a <= t && t <= b);
             let seen = inside.map(|t| medium.mu(t));
             let (least, greatest) = seen.fold((f64::INFINITY, 0.0), |(low, high), mu| {
                 (if mu < low { mu } else { low }, if mu > high { mu } else { high })
             });
             let slack = 1e-12 * high;
-            assert!(
-                low <= least + slack && greatest <= high + slack,
-                "{name} on [{a}, {b}]"
-            );
+            assert!(low <= least + slack && greatest <= high + slack, "{name} on [{a}, {b}]");
             let exact = !name.contains("numeric");
             let attained = least - low <= 1e-6 * high && high - greatest <= 1e-6 * high;
-            assert!(
-                attained || !exact,
-                "{name} on [{a}, {b}]: {low} {least} {greatest} {high}"
-            );
+            assert!(attained || !exact, "{name} on [{a}, {b}]: {low} {least} {greatest} {high}");
         }
     }
 }
@@ -125,18 +106,12 @@ fn look_ups_in_tiles_have_the_bits_of_single_ones() {
         simd::limit(isa);
         for (name, medium) in zoo() {
             for count in [0u32, 1, 5, 256, 1000] {
-                let t: Vec<f64> = (0..count)
-                    .map(|i| medium.length() * f64::from(i * 7919 % 1001) / 1000.0)
-                    .collect();
+                let t: Vec<f64> =
+                    (0..count).map(|i| medium.length() * f64::from(i * 7919 % 1001) / 1000.0).collect();
                 let mut tile = vec![f64::NAN; t.len()];
                 medium.mu_tile(&t, &mut tile);
                 for (&t, mu) in t.iter().zip(tile) {
-                    assert_eq!(
-                        mu.to_bits(),
-                        medium.mu(t).to_bits(),
-                        "{name} at {t}, {}",
-                        isa.name()
-                    );
+                    assert_eq!(mu.to_bits(), medium.mu(t).to_bits(), "{name} at {t}, {}", isa.name());
                 }
             }
         }
@@ -147,10 +122,8 @@ fn look_ups_in_tiles_have_the_bits_of_single_ones() {
 #[test]
 fn breaks_lie_strictly_inside_and_cells_are_what_they_say() {
     for (name, medium) in zoo() {
-        let ends: Vec<f64> = std::iter::once(0.0)
-            .chain(medium.breaks().iter().copied())
-            .chain([medium.length()])
-            .collect();
+        let ends: Vec<f64> =
+            std::iter::once(0.0).chain(medium.breaks().iter().copied()).chain([medium.length()]).collect();
         for end in ends.windows(2) {
             assert!(end[0] < end[1], "{name}: {ends:?}");
             let at = |x: f64| medium.mu(end[0] + x * (end[1] - end[0]));
@@ -188,31 +161,18 @@ fn each_choice_of_majorants_holds() {
         let of = |choice: MajorantChoice| choice.majorants(&medium).unwrap();
         let tight = of(MajorantChoice::Tight);
         assert!(tight.mu_bar() == [greatest], "{name}");
-        assert!(
-            of(MajorantChoice::Factor(1.5)).mu_bar() == [1.5 * greatest],
-            "{name}"
-        );
+        assert!(of(MajorantChoice::Factor(1.5)).mu_bar() == [1.5 * greatest], "{name}");
         assert!(of(MajorantChoice::Constant(7.5)).mu_bar() == [7.5], "{name}");
         let short = of(MajorantChoice::Factor(0.99)).shortfall(&medium);
         assert_eq!(short.map(|(k, _, _)| k), Some(0), "{name}");
         let seven = of(MajorantChoice::Segments(7));
-        assert_eq!(
-            (seven.ends().len(), seven.shortfall(&medium)),
-            (7, None),
-            "{name}"
-        );
-        assert!(
-            seven.depth(medium.length()) <= tight.depth(medium.length()) * (1.0 + 1e-14),
-            "{name}"
-        );
+        assert_eq!((seven.ends().len(), seven.shortfall(&medium)), (7, None), "{name}");
+        assert!(seven.depth(medium.length()) <= tight.depth(medium.length()) * (1.0 + 1e-14), "{name}");
         let ends = vec![0.4 * medium.length(), medium.length()];
         let mu_bar = vec![greatest, 2.0 * greatest];
         let explicit = of(MajorantChoice::Explicit { ends, mu_bar });
         let want = (0.4 * 1.0 + 0.6 * 2.0) * greatest * medium.length();
-        assert!(
-            (explicit.depth(medium.length()) / want - 1.0).abs() < 1e-14,
-            "{name}"
-        );
+        assert!((explicit.depth(medium.length()) / want - 1.0).abs() < 1e-14, "{name}");
         assert_eq!(explicit.shortfall(&medium), None, "{name}");
     }
 }
@@ -284,18 +244,12 @@ fn wrappers_of_channels_scale_and_cut_them() {
         let each = channels.iter().map(|c| (c.extinction.mu(0.1), c.albedo));
         (medium.length(), each.collect::<Vec<_>>())
     };
-    assert_eq!(
-        seen(&wrap(r#""scaled": {"by": 4,"#)),
-        (3.0, vec![(8.0, 0.75), (2.0, 1.0), (0.0, 0.0)])
-    );
+    assert_eq!(seen(&wrap(r#""scaled": {"by": 4,"#)), (3.0, vec![(8.0, 0.75), (2.0, 1.0), (0.0, 0.0)]));
     assert_eq!(seen(&wrap(r#""reversed": {"#)), seen(&parse(inner)));
     let part = wrap(r#""segment": {"from": 0.5, "to": 2.0,"#);
     assert_eq!(seen(&part), (1.5, seen(&parse(inner)).1));
     let refusal = chromatic(&wrap(r#""segment": {"from": 0.5, "to": 3.5,"#)).unwrap_err();
-    assert_eq!(
-        refusal.to_string(),
-        "to must be at most the medium's length, 3, not 3.5"
-    );
+    assert_eq!(refusal.to_string(), "to must be at most the medium's length, 3, not 3.5");
 }
 
 #[test]
@@ -309,9 +263,7 @@ fn every_description_survives_json() {
         assert!(text.starts_with(&format!("{{\"{}\":{{", medium.name())), "{text}");
     }
     let named = |name: &&str| jsons.iter().any(|json| json.contains(&format!("\"{name}\"")));
-    let ours = AnyMedium::NAMES
-        .iter()
-        .filter(|&&name| name != "chromatic" && name != "voxel_grid");
+    let ours = AnyMedium::NAMES.iter().filter(|&&name| name != "chromatic" && name != "voxel_grid");
     assert!(ours.copied().all(|name| named(&name)));
 }
 
@@ -331,11 +283,7 @@ fn the_provided_inverse_survives_gaps_where_mu_is_zero() {
             3.0
         }
         fn mu(&self, t: f64) -> f64 {
-            if (1.0..2.0).contains(&t) || t < 0.25 {
-                0.0
-            } else {
-                2.0
-            }
+            if (1.0..2.0).contains(&t) || t < 0.25 { 0.0 } else { 2.0 }
         }
         fn majorants(&self) -> &Majorants {
             &self.0
@@ -350,13 +298,7 @@ fn the_provided_inverse_survives_gaps_where_mu_is_zero() {
         }
     }
     let medium = Gap(Majorants::constant(2.0, 3.0));
-    for (depth, want) in [
-        (1e-9, 0.25 + 5e-10),
-        (1.0, 0.75),
-        (1.5, 1.0),
-        (1.500_002, 2.000_001),
-        (3.0, 2.75),
-    ] {
+    for (depth, want) in [(1e-9, 0.25 + 5e-10), (1.0, 0.75), (1.5, 1.0), (1.500_002, 2.000_001), (3.0, 2.75)] {
         assert!((medium.inverse_tau(depth) - want).abs() < 1e-14, "{depth}");
     }
     assert!(medium.inverse_tau(3.5).is_infinite());

@@ -48,21 +48,9 @@ type Ray = (&'static str, [f64; 3], [f64; 3]);
 /// What it is, origin and direction of rays that cross the box.
 fn rays() -> Vec<Ray> {
     let mut rays = vec![
-        (
-            "through edges",
-            at([-0.25, -0.2, 0.77]),
-            minus(at([0.5, 0.4, 0.77]), at([0.25, 0.2, 0.77])),
-        ),
-        (
-            "slanted in a face",
-            at([-0.1, 0.4, -0.2]),
-            minus(at([0.9, 0.4, 0.8]), at([0.0, 0.4, 0.0])),
-        ),
-        (
-            "all but along an axis",
-            at([0.5, 0.4, -0.2]),
-            [-1e-16, 3e-15, 1.0],
-        ),
+        ("through edges", at([-0.25, -0.2, 0.77]), minus(at([0.5, 0.4, 0.77]), at([0.25, 0.2, 0.77]))),
+        ("slanted in a face", at([-0.1, 0.4, -0.2]), minus(at([0.9, 0.4, 0.8]), at([0.0, 0.4, 0.0]))),
+        ("all but along an axis", at([0.5, 0.4, -0.2]), [-1e-16, 3e-15, 1.0]),
         ("from a corner of voxels", at([0.5, 0.4, 0.5]), [-0.3, -0.5, 0.7]),
     ];
     for octant in 0..8 {
@@ -105,13 +93,7 @@ fn close(a: f64, b: f64, tolerance: f64, name: &str) {
 
 /// Points from a to b, both included.
 fn points(a: f64, b: f64, n: i32) -> impl Iterator<Item = f64> {
-    (0..=n).map(move |i| {
-        if i == n {
-            b
-        } else {
-            a + (b - a) * f64::from(i) / f64::from(n)
-        }
-    })
+    (0..=n).map(move |i| if i == n { b } else { a + (b - a) * f64::from(i) / f64::from(n) })
 }
 
 /// 0 and the breaks, with the numbers closest to them.
@@ -175,9 +157,7 @@ fn tau_agrees_with_brute_force() {
     for (filter, tolerance) in [(Filter::Nearest, 2e-5), (Filter::Trilinear, 1e-10)] {
         let ray = grid(rough(), filter).ray(origin, direction).unwrap();
         let step = ray.length() / 1e6;
-        let sum: f64 = (0..1_000_000)
-            .map(|i| ray.mu((f64::from(i) + 0.5) * step) * step)
-            .sum();
+        let sum: f64 = (0..1_000_000).map(|i| ray.mu((f64::from(i) + 0.5) * step) * step).sum();
         close(ray.tau(ray.length()), sum, tolerance, "midpoint rule");
     }
 }
@@ -187,8 +167,7 @@ fn a_reversed_ray_has_the_same_depth() {
     for filter in FILTERS {
         let grid = grid(rough(), filter);
         for (what, origin, direction) in rays() {
-            let one_sided =
-                filter == Filter::Nearest && (what.contains("corner") || what.contains("all but"));
+            let one_sided = filter == Filter::Nearest && (what.contains("corner") || what.contains("all but"));
             if what.contains("inside") || what.contains("from a corner") || one_sided {
                 continue; // does not cross the whole box, or either side of an edge will do
             }
@@ -212,12 +191,7 @@ fn the_length_of_the_direction_does_not_matter() {
                 let same = grid.ray(origin, direction.map(|x| factor * x)).unwrap();
                 close(same.length(), ray.length(), 1e-13, what);
                 for t in points(0.0, ray.length(), 11) {
-                    close(
-                        same.tau(t),
-                        ray.tau(t),
-                        1e-13,
-                        &format!("{filter:?} {what} by {factor}"),
-                    );
+                    close(same.tau(t), ray.tau(t), 1e-13, &format!("{filter:?} {what} by {factor}"));
                 }
             }
         }
@@ -229,11 +203,7 @@ fn inverse_tau_inverts_and_does_not_decrease() {
     each_ray(|ray, name| {
         let total = ray.tau(ray.length());
         assert_eq!(ray.inverse_tau(0.0).to_bits(), 0.0f64.to_bits(), "{name}");
-        assert_eq!(
-            ray.inverse_tau(total + 1e-15).to_bits(),
-            f64::INFINITY.to_bits(),
-            "{name}"
-        );
+        assert_eq!(ray.inverse_tau(total + 1e-15).to_bits(), f64::INFINITY.to_bits(), "{name}");
         let mut last = 0.0;
         for depth in points(0.0, total, 3000).take(3000) {
             let t = ray.inverse_tau(depth);
@@ -252,10 +222,7 @@ fn extrema_bound_every_look_up_and_are_attained() {
             let inside = turns(ray).filter(|&t| t >= a && t <= b); // with voxels read for a few numbers only
             let (least, most) = seen(ray, points(a, b, 10_000).chain(inside));
             let (low, high) = ray.extrema(a, b);
-            assert!(
-                least >= low && most <= high,
-                "{least} to {most} outside {low} to {high}: {name}"
-            );
+            assert!(least >= low && most <= high, "{least} to {most} outside {low} to {high}: {name}");
             let tolerance = if ray.cells() == Cells::Constant { 0.0 } else { 1e-6 };
             close(low, least, tolerance, name);
             close(high, most, tolerance, name);
@@ -284,11 +251,7 @@ fn a_constant_grid_is_the_constant_medium() {
         for (what, origin, direction) in rays() {
             let ray = grid.ray(origin, direction).unwrap();
             assert_eq!(ray.majorants().mu_bar()[0].to_bits(), 0.7f64.to_bits(), "{what}");
-            assert_eq!(
-                ray.extrema(0.0, ray.length()).0.to_bits(),
-                0.7f64.to_bits(),
-                "{what}"
-            );
+            assert_eq!(ray.extrema(0.0, ray.length()).0.to_bits(), 0.7f64.to_bits(), "{what}");
             for t in points(0.0, ray.length(), 17) {
                 assert_eq!(ray.mu(t).to_bits(), 0.7f64.to_bits(), "{what}");
                 close(ray.tau(t), 0.7 * t, 1e-14, what);
@@ -314,29 +277,14 @@ fn the_grid_of_a_linear_function_gives_it_back_inside_the_centres() {
 #[test]
 fn values_computed_by_hand_come_out() {
     let values = volume(|[x, y, z]| (x * x + 10 * y + 100 * z) as f64);
-    let rescale = Rescale {
-        scale: 0.5,
-        offset: 0.25,
-    };
+    let rescale = Rescale { scale: 0.5, offset: 0.25 };
     let along_x = |filter| {
         let grid = Grid::new(values.clone(), filter, [[0.0; 3], [4.0, 5.0, 6.0]], rescale).unwrap();
         grid.ray([-3.0, 1.75, 2.5], [2.0, 0.0, 0.0]).unwrap()
     };
     let trilinear = along_x(Filter::Trilinear); // y a quarter from centre 1 to centre 2, z at centre 2
-    for (t, x) in [
-        (0.2, 0.0),
-        (0.5, 0.0),
-        (1.25, 0.75),
-        (2.0, 2.5),
-        (3.5, 9.0),
-        (4.0, 9.0),
-    ] {
-        close(
-            trilinear.mu(t),
-            0.25 + 0.5 * (x + 12.5 + 200.0),
-            1e-13,
-            "trilinear",
-        );
+    for (t, x) in [(0.2, 0.0), (0.5, 0.0), (1.25, 0.75), (2.0, 2.5), (3.5, 9.0), (4.0, 9.0)] {
+        close(trilinear.mu(t), 0.25 + 0.5 * (x + 12.5 + 200.0), 1e-13, "trilinear");
     }
     assert_eq!(trilinear.breaks(), [0.5, 1.5, 2.5, 3.5]);
     close(trilinear.extrema(0.0, 4.0).0, 106.5, 1e-12, "least");
@@ -351,16 +299,7 @@ fn values_computed_by_hand_come_out() {
 
 #[test]
 fn measured_values_are_exact_at_the_centres() {
-    let extremes = [
-        0.0,
-        1.0,
-        255.0,
-        65_535.0,
-        f64::from(0.1f32),
-        f64::from(1e4f32),
-        1e-6,
-        0.1,
-    ];
+    let extremes = [0.0, 1.0, 255.0, 65_535.0, f64::from(0.1f32), f64::from(1e4f32), 1e-6, 0.1];
     let value = |[x, y, z]: [usize; 3]| extremes[(x + 3 * y + 5 * z) % 8];
     for filter in FILTERS {
         let bounds = [[0.0; 3], [4.0, 5.0, 6.0]];
@@ -374,15 +313,7 @@ fn measured_values_are_exact_at_the_centres() {
 
 #[test]
 fn grids_one_voxel_thin_are_seen() {
-    for shape in [
-        [1, 1, 1],
-        [3, 1, 1],
-        [1, 3, 1],
-        [1, 1, 3],
-        [1, 2, 3],
-        [2, 1, 3],
-        [3, 2, 1],
-    ] {
+    for shape in [[1, 1, 1], [3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 3], [2, 1, 3], [3, 2, 1]] {
         let values: Vec<f64> = (1..=shape.iter().product()).map(|i: usize| i as f64).collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         let volume = Arc::new(Volume { shape, values });
@@ -391,12 +322,7 @@ fn grids_one_voxel_thin_are_seen() {
             let ray = grid.ray([0.0; 3], [1.0; 3]).unwrap();
             let integral = quadrature::integrate(&|t| ray.mu(t), 0.0, ray.length(), ray.breaks());
             close(ray.tau(ray.length()), integral.value, 1e-12, "quadrature");
-            close(
-                ray.tau(ray.length()),
-                mean * ray.length(),
-                1e-12,
-                "odd about the middle",
-            );
+            close(ray.tau(ray.length()), mean * ray.length(), 1e-12, "odd about the middle");
         }
     }
 }
@@ -422,12 +348,7 @@ fn a_nan_stays_a_nan() {
     each_ray(|ray, name| {
         let mut mu = [0.0];
         ray.mu_tile(&[f64::NAN], &mut mu);
-        for x in [
-            mu[0],
-            ray.mu(f64::NAN),
-            ray.tau(f64::NAN),
-            ray.inverse_tau(f64::NAN),
-        ] {
+        for x in [mu[0], ray.mu(f64::NAN), ray.tau(f64::NAN), ray.inverse_tau(f64::NAN)] {
             assert!(x.is_nan(), "{name}");
         }
     });
@@ -435,29 +356,13 @@ fn a_nan_stays_a_nan() {
 
 #[test]
 fn a_voxel_without_extinction_is_refused_with_its_index() {
-    for (bad, shown) in [
-        (-0.5, "-5"),
-        (f64::NAN, "NaN"),
-        (f64::INFINITY, "inf"),
-        (1e308, "inf"),
-    ] {
+    for (bad, shown) in [(-0.5, "-5"), (f64::NAN, "NaN"), (f64::INFINITY, "inf"), (1e308, "inf")] {
         let values = volume(|index| if index == [1, 2, 3] { bad } else { 1.0 });
-        let rescale = Rescale {
-            scale: 10.0,
-            offset: 0.0,
-        };
-        let error = Grid::new(values, Filter::Nearest, BOUNDS, rescale)
-            .unwrap_err()
-            .to_string();
-        assert!(
-            error.contains("[z][y][x] = [3, 2, 1]") && error.contains(shown),
-            "{error}"
-        );
+        let rescale = Rescale { scale: 10.0, offset: 0.0 };
+        let error = Grid::new(values, Filter::Nearest, BOUNDS, rescale).unwrap_err().to_string();
+        assert!(error.contains("[z][y][x] = [3, 2, 1]") && error.contains(shown), "{error}");
     }
-    let shifted = Rescale {
-        scale: 1.0,
-        offset: 0.5,
-    };
+    let shifted = Rescale { scale: 1.0, offset: 0.5 };
     assert!(Grid::new(volume(|_| -0.5), Filter::Nearest, BOUNDS, shifted).is_ok());
 }
 
@@ -472,10 +377,7 @@ fn volumes_and_boxes_that_do_not_fit_are_refused() {
     assert!(!build([0, 1, 1], vec![], BOUNDS));
     assert!(!build([usize::MAX, 2, 1], vec![1.0; 2], BOUNDS));
     for worse in [0.5, 0.4, f64::NAN, f64::INFINITY] {
-        assert!(
-            !build([2, 1, 1], vec![1.0; 2], [[0.5; 3], [1.0, worse, 1.0]]),
-            "{worse}"
-        );
+        assert!(!build([2, 1, 1], vec![1.0; 2], [[0.5; 3], [1.0, worse, 1.0]]), "{worse}");
     }
 }
 
@@ -486,19 +388,11 @@ fn rays_that_miss_and_directions_without_a_length_are_refused() {
     assert!(refused(at([-1.0, 0.5, 0.5]), [-1.0, 0.0, 0.0]), "behind");
     assert!(refused(at([-1.0, 0.5, 0.5]), [0.0, 1.0, 0.0]), "beside");
     assert!(refused(at([-1.0, 0.5, 0.5]), [1.0, 5.0, 0.0]), "past");
-    assert!(
-        refused(at([-1.0, 1.0 + 1e-9, 0.5]), [1.0, 0.0, -0.0]),
-        "just outside a face"
-    );
+    assert!(refused(at([-1.0, 1.0 + 1e-9, 0.5]), [1.0, 0.0, -0.0]), "just outside a face");
     assert!(refused([-2.0, 2.5, 3.0], [1.0, 1.0, 0.0]), "touching an edge");
     assert!(refused(at([1.0, 0.5, 0.5]), [1.0, 0.2, 0.1]), "leaving at once");
     assert!(refused([1e300, 0.0, 0.0], [-1.0, 0.0, 0.1]), "from afar");
-    for bad in [
-        [0.0; 3],
-        [-0.0; 3],
-        [f64::NAN, 1.0, 0.0],
-        [f64::INFINITY, 0.0, 0.0],
-    ] {
+    for bad in [[0.0; 3], [-0.0; 3], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0]] {
         assert!(refused(at([0.5; 3]), bad), "{bad:?}");
     }
     assert!(refused([0.0, f64::NAN, 3.0], [1.0, 0.0, 0.0]), "from nowhere");
@@ -533,22 +427,10 @@ fn a_case_describes_it() {
     let again: AnyMedium = serde_json::from_str(&serde_json::to_string(&described).unwrap()).unwrap();
     assert_eq!(again, described);
     let ray = built(&described, &Folder(None));
-    let half = grid(rough(), Filter::Trilinear)
-        .ray([0.1, 0.2, 1.3], [0.0, 1.0, 1.5])
-        .unwrap();
-    close(
-        ray.tau(ray.length()),
-        2.0 * half.tau(half.length()),
-        1e-12,
-        "scale",
-    );
+    let half = grid(rough(), Filter::Trilinear).ray([0.1, 0.2, 1.3], [0.0, 1.0, 1.5]).unwrap();
+    close(ray.tau(ray.length()), 2.0 * half.tau(half.length()), 1e-12, "scale");
     let other = built(&described, &Folder(Some((at([0.5; 3]), [0.0, 0.0, -3.0]))));
-    close(
-        other.length(),
-        1.25,
-        1e-15,
-        "the ray of the surroundings, from the middle",
-    );
+    close(other.length(), 1.25, 1e-15, "the ray of the surroundings, from the middle");
 }
 
 #[test]
@@ -563,10 +445,7 @@ fn a_wrong_case_is_refused() {
     ];
     for (from, to) in changes {
         assert!(JSON.contains(from), "{from}");
-        assert!(
-            serde_json::from_str::<AnyMedium>(&JSON.replace(from, to)).is_err(),
-            "{to}"
-        );
+        assert!(serde_json::from_str::<AnyMedium>(&JSON.replace(from, to)).is_err(), "{to}");
     }
 }
 

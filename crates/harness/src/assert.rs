@@ -26,13 +26,7 @@ const DRAWS: u64 = 1 << 17;
 #[track_caller]
 pub fn assert_free_path(sampler: &impl FreePathSampler, medium: &impl Medium) {
     assert_subject(
-        &Subject::new(
-            Work::FreePath(sampler),
-            Scene::Grey {
-                truth: medium,
-                seen: medium,
-            },
-        ),
+        &Subject::new(Work::FreePath(sampler), Scene::Grey { truth: medium, seen: medium }),
         Location::caller(),
     );
 }
@@ -43,14 +37,8 @@ pub fn assert_free_path(sampler: &impl FreePathSampler, medium: &impl Medium) {
 /// With what failed, by how much, with which p-value, and how to replay it.
 #[track_caller]
 pub fn assert_transmittance(estimator: &impl TransmittanceEstimator, medium: &impl Medium) {
-    let scene = Scene::Grey {
-        truth: medium,
-        seen: medium,
-    };
-    assert_subject(
-        &Subject::new(Work::Transmittance(estimator), scene),
-        Location::caller(),
-    );
+    let scene = Scene::Grey { truth: medium, seen: medium };
+    assert_subject(&Subject::new(Work::Transmittance(estimator), scene), Location::caller());
 }
 
 /// Panics unless the weights of `sampler` have the right means in every channel of `medium`, for scattering, in bins of t
@@ -60,20 +48,13 @@ pub fn assert_transmittance(estimator: &impl TransmittanceEstimator, medium: &im
 /// With what failed, by how much, with which p-value, and how to replay it.
 #[track_caller]
 pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &Chromatic) {
-    assert_subject(
-        &Subject::new(Work::Chromatic(sampler), Scene::Chromatic(medium.medium())),
-        Location::caller(),
-    );
+    assert_subject(&Subject::new(Work::Chromatic(sampler), Scene::Chromatic(medium.medium())), Location::caller());
 }
 
 fn assert_subject(subject: &Subject, caller: &Location) {
     let (seed, draws) = (setting("FREEPATH_SEED", 1), setting("FREEPATH_DRAWS", DRAWS));
     for route in [Route::Block, Route::Scalar] {
-        let subject = Subject {
-            route,
-            draws,
-            ..subject.clone()
-        };
+        let subject = Subject { route, draws, ..subject.clone() };
         let plan = Plan::of(&subject);
         let trial = Trial::run(&subject, &plan, seed);
         let decision = trial.decide();
@@ -84,10 +65,7 @@ fn assert_subject(subject: &Subject, caller: &Location) {
 }
 
 fn setting(name: &str, default: u64) -> u64 {
-    std::env::var(name)
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(default)
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }
 
 /// Both stages of one subject.
@@ -100,34 +78,18 @@ struct Trial {
 impl Trial {
     fn run(subject: &Subject, plan: &Plan, seed: u64) -> Self {
         let (cancelled, blocks) = (AtomicBool::new(false), Subject::blocks(subject.draws));
-        let watch = Watch {
-            cancelled: &cancelled,
-            progress: &|_| (),
-        };
+        let watch = Watch { cancelled: &cancelled, progress: &|_| () };
         let stage = |blocks| judged(subject, plan, collect(subject, plan, seed, blocks, &watch));
         let first = stage(0..blocks);
         let second = suspect(&first).then(|| stage(blocks..3 * blocks));
-        Self {
-            first,
-            second,
-            draws: subject.draws,
-        }
+        Self { first, second, draws: subject.draws }
     }
 
     fn decide(&self) -> Decision {
         let first = adjust([Some(&self.first)].into_iter());
         let second = adjust([self.second.as_ref()].into_iter());
-        let stage = self.second.as_ref().map(|judged| Stage {
-            judged,
-            adjusted: &second.0[0],
-        });
-        decide(
-            Stage {
-                judged: &self.first,
-                adjusted: &first.0[0],
-            },
-            stage,
-        )
+        let stage = self.second.as_ref().map(|judged| Stage { judged, adjusted: &second.0[0] });
+        decide(Stage { judged: &self.first, adjusted: &first.0[0] }, stage)
     }
 
     fn message(&self, subject: &Subject, decision: &Decision, seed: u64, caller: &Location) -> String {
@@ -136,11 +98,7 @@ impl Trial {
             Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
             Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
         };
-        let how = if subject.route == Route::Block {
-            "drawn in blocks"
-        } else {
-            "drawn one by one"
-        };
+        let how = if subject.route == Route::Block { "drawn in blocks" } else { "drawn one by one" };
         let mut text = format!("{what}: {} ({how}, at {caller})\n", decision.verdict);
         for note in &decision.notes {
             let _ = writeln!(text, "  {note}");
@@ -163,10 +121,7 @@ impl Trial {
 fn judged(subject: &Subject, plan: &Plan, collected: Result<Collected, Stopped>) -> Judged {
     match collected {
         Ok(collected) => judge(subject, plan, &collected),
-        Err(Stopped::Subject(why)) => Judged {
-            facts: vec![(Reason::SubjectError, why)],
-            ..Judged::default()
-        },
+        Err(Stopped::Subject(why)) => Judged { facts: vec![(Reason::SubjectError, why)], ..Judged::default() },
         Err(Stopped::Cancelled) => Judged::default(),
     }
 }

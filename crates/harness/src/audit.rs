@@ -42,12 +42,7 @@ impl<'a> Audited<'a> {
     /// `medium`, with at most `budget` look-ups.
     #[must_use]
     pub fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
-        Self {
-            medium,
-            budget,
-            rounding: 1.0 + rounding,
-            record: Cell::default(),
-        }
+        Self { medium, budget, rounding: 1.0 + rounding, record: Cell::default() }
     }
 
     /// What was recorded.
@@ -93,11 +88,7 @@ impl<'a> Audited<'a> {
     }
 
     fn note(&self, lookups: usize, outside: u64, above: u64) {
-        let more = Audit {
-            lookups: lookups as u64,
-            outside,
-            above,
-        };
+        let more = Audit { lookups: lookups as u64, outside, above };
         let record = self.record.get().plus(more);
         self.record.set(record);
         if record.lookups > self.budget.saturating_mul(2) {

@@ -188,10 +188,6 @@ impl CaseFile {
     pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
         let source = Source::new(path.display().to_string(), text)?;
         let case = source.read()?;
-        Ok(Self {
-            path: path.to_path_buf(),
-            source,
-            case,
-        })
+        Ok(Self { path: path.to_path_buf(), source, case })
     }
 }

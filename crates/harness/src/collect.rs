@@ -81,23 +81,10 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
-        let joint = plan
-            .law
-            .as_ref()
-            .filter(|law| law.coleman)
-            .map(|law| CountTally::joint(&law.truth));
+        let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts {
-            cells,
-            collisions,
-            ..Counts::default()
-        };
-        Self {
-            draws: columns(subject, BLOCK),
-            index: Vec::new(),
-            masked: Vec::new(),
-            counts,
-        }
+        let counts = Counts { cells, collisions, ..Counts::default() };
+        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
 
     /// One block; `first` says whether it is among the first of its range.
@@ -108,22 +95,12 @@ impl Worker {
         self.counts.lookups.observe(record.audit.lookups);
         self.count(plan, first);
         let early = if row == 0 { self.early(plan) } else { Vec::new() };
-        let mean = plan
-            .mean
-            .as_ref()
-            .map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums {
-            mean,
-            channels: self.channels(plan),
-            seconds: record.seconds,
-            early,
-        })
+        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
+        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
-        let Self {
-            draws, index, counts, ..
-        } = self;
+        let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
             if let Some(scores) = &law.scores {
@@ -143,10 +120,7 @@ impl Worker {
         let Some(mean) = &plan.mean else { return Vec::new() };
         let counts = (0..64).map(|i| (64.0 * libm::pow(1.09, f64::from(i))) as usize);
         let part = |n: usize| PowerSums::of(mean.truth.expected, &self.draws.weight[..n]);
-        counts
-            .take_while(|&n| n < self.draws.weight.len())
-            .map(part)
-            .collect()
+        counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
     }
 
     fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
@@ -187,20 +161,13 @@ impl Counts {
 impl Collected {
     fn new(plan: &Plan) -> Self {
         let sums = |claim: &crate::plan::ChannelClaim| {
-            (
-                PowerSums::new(claim.mean.expected),
-                PowerSums::new(claim.second_moment.unwrap_or(0.0)),
-            )
+            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
         };
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
-            channels: plan
-                .channels
-                .iter()
-                .flat_map(|channels| channels.claims.iter().map(sums))
-                .collect(),
+            channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
             seconds: 0.0,
         }
@@ -271,11 +238,7 @@ pub fn collect(
     let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {
-        let key = Key {
-            seed,
-            subject: subject.key,
-            block,
-        };
+        let key = Key { seed, subject: subject.key, block };
         if cancelled() {
             Err(String::new())
         } else {

@@ -18,18 +18,9 @@ pub struct Adjusted(pub Vec<Vec<Option<f64>>>);
 #[must_use]
 pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> Adjusted {
     let evidence = |judged: Option<&'a Judged>| judged.map_or(&[][..], |judged| &judged.evidence);
-    let all: Vec<f64> = judged
-        .clone()
-        .flat_map(evidence)
-        .filter_map(|evidence| evidence.p)
-        .collect();
+    let all: Vec<f64> = judged.clone().flat_map(evidence).filter_map(|evidence| evidence.p).collect();
     let mut adjusted = holm(&all).into_iter();
-    let of = |judged| {
-        evidence(judged)
-            .iter()
-            .map(|e| e.p.and_then(|_| adjusted.next()))
-            .collect()
-    };
+    let of = |judged| evidence(judged).iter().map(|e| e.p.and_then(|_| adjusted.next())).collect();
     Adjusted(judged.map(of).collect())
 }
 
@@ -67,45 +58,29 @@ pub struct Stage<'a> {
 
 impl Stage<'_> {
     fn rejections(&self) -> Vec<(Reason, String)> {
-        let rejected = self
-            .judged
-            .evidence
-            .iter()
-            .zip(self.adjusted)
-            .filter(|(_, adjusted)| rejects(**adjusted));
-        let note = rejected
-            .map(|(evidence, adjusted)| (evidence.reason, sentence(evidence, adjusted.unwrap_or(0.0))));
+        let rejected = self.judged.evidence.iter().zip(self.adjusted).filter(|(_, adjusted)| rejects(**adjusted));
+        let note =
+            rejected.map(|(evidence, adjusted)| (evidence.reason, sentence(evidence, adjusted.unwrap_or(0.0))));
         note.collect()
     }
 }
 
 /// What a test rejected, by how much, with which p-value.
 fn sentence(evidence: &Evidence, adjusted: f64) -> String {
-    let Evidence {
-        name,
-        statistic,
-        note,
-        ..
-    } = evidence;
+    let Evidence { name, statistic, note, .. } = evidence;
     let what = if note.is_empty() {
         format!("statistic {statistic:.4}")
     } else {
         format!("{note}; statistic {statistic:.4}")
     };
-    format!(
-        "{name} rejects with p = {:.2e}, {adjusted:.2e} after Holm ({what})",
-        evidence.p.unwrap_or(0.0)
-    )
+    format!("{name} rejects with p = {:.2e}, {adjusted:.2e} after Holm ({what})", evidence.p.unwrap_or(0.0))
 }
 
 /// Facts of either stage fail at once; a rejection fails if both stages make one; what is left open, or was put to no test
 /// at all, is inconclusive.
 #[must_use]
 pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
-    let (one, two) = (
-        first.rejections(),
-        second.map(|stage| stage.rejections()).unwrap_or_default(),
-    );
+    let (one, two) = (first.rejections(), second.map(|stage| stage.rejections()).unwrap_or_default());
     let facts = [Some(first), second].into_iter().flatten();
     let mut found: Vec<(Reason, String)> = facts.flat_map(|stage| stage.judged.facts.clone()).collect();
     if !one.is_empty() && !two.is_empty() {
@@ -136,11 +111,7 @@ fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
     found.sort_by_key(|(reason, _)| *reason);
     let mut reasons: Vec<Reason> = found.iter().map(|(reason, _)| *reason).collect();
     reasons.dedup();
-    Decision {
-        verdict,
-        reasons,
-        notes: found.into_iter().map(|(_, note)| note).collect(),
-    }
+    Decision { verdict, reasons, notes: found.into_iter().map(|(_, note)| note).collect() }
 }
 
 #[cfg(test)]
@@ -148,34 +119,15 @@ mod tests {
     use super::*;
 
     fn judged(p: &[f64]) -> Judged {
-        let evidence = p
-            .iter()
-            .map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased))
-            .collect();
-        Judged {
-            evidence,
-            ..Judged::default()
-        }
+        let evidence = p.iter().map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased)).collect();
+        Judged { evidence, ..Judged::default() }
     }
 
     fn verdict(one: &[f64], two: Option<&[f64]>) -> Verdict {
         let (one, two) = (judged(one), two.map(judged));
-        let (a, b) = (
-            adjust([Some(&one)].into_iter()),
-            adjust([two.as_ref()].into_iter()),
-        );
-        let second = two.as_ref().map(|judged| Stage {
-            judged,
-            adjusted: &b.0[0],
-        });
-        decide(
-            Stage {
-                judged: &one,
-                adjusted: &a.0[0],
-            },
-            second,
-        )
-        .verdict
+        let (a, b) = (adjust([Some(&one)].into_iter()), adjust([two.as_ref()].into_iter()));
+        let second = two.as_ref().map(|judged| Stage { judged, adjusted: &b.0[0] });
+        decide(Stage { judged: &one, adjusted: &a.0[0] }, second).verdict
     }
 
     #[test]
@@ -194,46 +146,22 @@ mod tests {
 
     #[test]
     fn a_fact_fails_without_p_values() {
-        let fact = Judged {
-            facts: vec![(Reason::BoundViolated, "1".into())],
-            ..judged(&[0.5])
-        };
+        let fact = Judged { facts: vec![(Reason::BoundViolated, "1".into())], ..judged(&[0.5]) };
         let adjusted = adjust([Some(&fact)].into_iter());
-        let decision = decide(
-            Stage {
-                judged: &fact,
-                adjusted: &adjusted.0[0],
-            },
-            None,
-        );
-        assert_eq!(
-            (decision.verdict, decision.reasons),
-            (Verdict::Fail, vec![Reason::BoundViolated])
-        );
+        let decision = decide(Stage { judged: &fact, adjusted: &adjusted.0[0] }, None);
+        assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::BoundViolated]));
     }
 
     #[test]
     fn a_fact_of_the_second_stage_fails() {
-        let broken = Judged {
-            facts: vec![(Reason::SubjectError, "it panicked".into())],
-            ..Judged::default()
-        };
+        let broken = Judged { facts: vec![(Reason::SubjectError, "it panicked".into())], ..Judged::default() };
         for p in [7e-4, 1e-9] {
             let one = judged(&[p]);
             let adjusted = adjust([Some(&one)].into_iter());
-            let first = Stage {
-                judged: &one,
-                adjusted: &adjusted.0[0],
-            };
-            let second = Stage {
-                judged: &broken,
-                adjusted: &[],
-            };
+            let first = Stage { judged: &one, adjusted: &adjusted.0[0] };
+            let second = Stage { judged: &broken, adjusted: &[] };
             let decision = decide(first, Some(second));
-            assert_eq!(
-                (decision.verdict, decision.reasons),
-                (Verdict::Fail, vec![Reason::SubjectError])
-            );
+            assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::SubjectError]));
         }
     }
 

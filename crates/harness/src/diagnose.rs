@@ -92,11 +92,7 @@ impl Source {
     /// as one to a field left at its default, the innermost value that is there is shown.
     pub fn diagnose(&self, path: &str, message: impl Into<String>) -> Diagnosis {
         let span = self.root.find(path).span.clone();
-        self.finding(&Finding {
-            span,
-            path: path.to_owned(),
-            message: message.into(),
-        })
+        self.finding(&Finding { span, path: path.to_owned(), message: message.into() })
     }
 
     fn finding(&self, finding: &Finding) -> Diagnosis {
@@ -105,10 +101,7 @@ impl Source {
 }
 
 fn cannot_read(cause: Finding) -> Finding {
-    Finding {
-        message: format!("cannot read the case: {}", cause.message),
-        ..cause
-    }
+    Finding { message: format!("cannot read the case: {}", cause.message), ..cause }
 }
 
 /// The text without the byte order mark that some editors put first.

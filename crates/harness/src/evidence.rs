@@ -30,36 +30,19 @@ impl Evidence {
     #[must_use]
     pub fn new(name: impl Into<String>, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> Self {
         let p = if p >= 0.0 && p <= 1.0 { p } else { 0.0 };
-        Self {
-            name: name.into(),
-            statistic,
-            dof,
-            p: Some(p),
-            reason,
-            note: String::new(),
-        }
+        Self { name: name.into(), statistic, dof, p: Some(p), reason, note: String::new() }
     }
 
     /// A statistic that its gate keeps out of the verdict, and why.
     #[must_use]
     pub fn withheld(name: impl Into<String>, statistic: f64, reason: Reason, why: impl Into<String>) -> Self {
-        Self {
-            name: name.into(),
-            statistic,
-            dof: None,
-            p: None,
-            reason,
-            note: why.into(),
-        }
+        Self { name: name.into(), statistic, dof: None, p: None, reason, note: why.into() }
     }
 
     /// The same with a note.
     #[must_use]
     pub fn noted(self, note: impl Into<String>) -> Self {
-        Self {
-            note: note.into(),
-            ..self
-        }
+        Self { note: note.into(), ..self }
     }
 }
 
@@ -89,21 +72,13 @@ mod tests {
     fn holm_is_the_textbook_procedure() {
         let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
         let adjusted = holm(&[0.01, 0.04, 0.03, 0.005]);
-        assert!(
-            adjusted
-                .iter()
-                .zip([0.03, 0.06, 0.06, 0.02])
-                .all(|(&a, b)| close(a, b))
-        );
+        assert!(adjusted.iter().zip([0.03, 0.06, 0.06, 0.02]).all(|(&a, b)| close(a, b)));
         assert!(holm(&[]).is_empty());
     }
 
     #[test]
     fn nan_is_rejected() {
         assert_eq!(holm(&[f64::NAN, 0.5]), vec![0.0, 0.5]);
-        assert_eq!(
-            Evidence::new("x", 1.0, None, f64::NAN, Reason::Biased).p,
-            Some(0.0)
-        );
+        assert_eq!(Evidence::new("x", 1.0, None, f64::NAN, Reason::Biased).p, Some(0.0));
     }
 }

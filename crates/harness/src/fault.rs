@@ -69,31 +69,13 @@ impl Fault {
     pub const NAMES: &[(&str, &str)] = &[
         ("short_majorant", "the majorant is a factor of what it should be"),
         ("clamped_density", "the majorant is short and mu is clamped to it"),
-        (
-            "shifted_lookup",
-            "every look-up is off by a distance, such as half a step",
-        ),
-        (
-            "stale_position",
-            "the collision test uses mu at the position before the step",
-        ),
-        (
-            "channel_pdf",
-            "chromatic weights are divided by the pdf of one channel alone",
-        ),
-        (
-            "uncompensated_roulette",
-            "survivors of a roulette keep their weight",
-        ),
+        ("shifted_lookup", "every look-up is off by a distance, such as half a step"),
+        ("stale_position", "the collision test uses mu at the position before the step"),
+        ("channel_pdf", "chromatic weights are divided by the pdf of one channel alone"),
+        ("uncompensated_roulette", "survivors of a roulette keep their weight"),
         ("nan_draw", "one walk of so many gives NaN"),
-        (
-            "duplicated_draws",
-            "now and then a draw repeats the one before it",
-        ),
-        (
-            "completion_order",
-            "draws are handed out in the order in which walks end",
-        ),
+        ("duplicated_draws", "now and then a draw repeats the one before it"),
+        ("completion_order", "draws are handed out in the order in which walks end"),
     ];
 
     /// The fault's name in a case.
@@ -125,13 +107,7 @@ impl Fault {
             Self::StalePosition {} | Self::ChannelPdf { .. } => Ok(()),
             Self::UncompensatedRoulette { below, survival } => {
                 finite("below", below)?;
-                require(
-                    survival > 0.0 && survival < 1.0,
-                    "survival",
-                    survival,
-                    "between 0 and 1",
-                )
-                .map(drop)
+                require(survival > 0.0 && survival < 1.0, "survival", survival, "between 0 and 1").map(drop)
             }
             Self::NanDraw { walk, of } => require(walk < of, "walk", walk, "less than `of`").map(drop),
             Self::DuplicatedDraws { share } => {
@@ -166,9 +142,6 @@ impl Fault {
     /// Whether the fault stands between the subject and its look-ups.
     #[must_use]
     pub fn spoils_lookups(&self) -> bool {
-        matches!(
-            self,
-            Self::ClampedDensity { .. } | Self::ShiftedLookup { .. } | Self::StalePosition {}
-        )
+        matches!(self, Self::ClampedDensity { .. } | Self::ShiftedLookup { .. } | Self::StalePosition {})
     }
 }

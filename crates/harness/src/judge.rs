@@ -41,17 +41,10 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
         }
     }
     if let (Some(mean), Some(counts)) = (plan.poisson, &seen.counts.collisions) {
-        judged
-            .evidence
-            .push(test::poisson_count(counts, mean, subject.tolerance));
+        judged.evidence.push(test::poisson_count(counts, mean, subject.tolerance));
     }
     if let Some(expected) = plan.lookups {
-        judged.evidence.push(test::lookups(
-            &seen.counts.lookups,
-            BLOCK,
-            expected,
-            subject.tolerance,
-        ));
+        judged.evidence.push(test::lookups(&seen.counts.lookups, BLOCK, expected, subject.tolerance));
     }
     judged
 }
@@ -69,13 +62,7 @@ fn in_vacuum(law: &Law, truth: &dyn Medium, cells: &CellTally) -> u64 {
 /// The density that a sampler returns is one: an identity without noise.
 fn pdf_integral(integral: f64) -> Evidence {
     let same = (integral - 1.0).abs() <= 1e-9;
-    Evidence::new(
-        "pdf_integral",
-        integral - 1.0,
-        None,
-        f64::from(u8::from(same)),
-        Reason::WrongLaw,
-    )
+    Evidence::new("pdf_integral", integral - 1.0, None, f64::from(u8::from(same)), Reason::WrongLaw)
 }
 
 impl Judged {
@@ -102,11 +89,7 @@ impl Judged {
 
     fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
         self.fact(cells.non_finite, Reason::NonFinite, "draws are NaN");
-        self.fact(
-            cells.out_of_support,
-            Reason::OutOfSupport,
-            "draws lie outside the ray",
-        );
+        self.fact(cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
         self.follows("", &plan.truth, cells, plan.reason);
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);
@@ -122,12 +105,10 @@ impl Judged {
                 let depth = truth.majorants().depth(t) - truth.tau(t);
                 if depth < 0.0 { 0.0 } else { depth }
             };
-            self.evidence
-                .push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
+            self.evidence.push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
         }
         if let Some(pair) = plan.pair {
-            self.evidence
-                .push(test::ties(&seen.counts.ties, cells.collided(), pair));
+            self.evidence.push(test::ties(&seen.counts.ties, cells.collided(), pair));
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
@@ -145,10 +126,7 @@ impl Judged {
             test::chi_square("chi_square_fine", law, cells, fine, reason),
             test::kolmogorov(law, cells, reason),
         ];
-        let rename = |evidence: Evidence| Evidence {
-            name: format!("{prefix}{}", evidence.name),
-            ..evidence
-        };
+        let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));
     }
 
@@ -157,12 +135,10 @@ impl Judged {
         self.gate(sums, &plan.truth, &evidence, &interval, "mean");
         self.evidence.push(evidence);
         if let Some(own) = &plan.own {
-            self.evidence
-                .push(test::mean("own_mean", sums, own, Reason::WrongLaw).0);
+            self.evidence.push(test::mean("own_mean", sums, own, Reason::WrongLaw).0);
         }
         if let Some(moments) = &plan.moments {
-            self.evidence
-                .push(test::second_moment(sums, moments, plan.truth.slack));
+            self.evidence.push(test::second_moment(sums, moments, plan.truth.slack));
         }
     }
 
@@ -171,14 +147,9 @@ impl Judged {
         self.gate(weights, &claim.mean, &evidence, &interval, &claim.name);
         self.evidence.push(evidence);
         if let Some(expected) = claim.second_moment {
-            let square = test::MeanClaim {
-                expected,
-                variance: None,
-                ..claim.mean
-            };
+            let square = test::MeanClaim { expected, variance: None, ..claim.mean };
             let name = format!("second_moment_{}", claim.name);
-            self.evidence
-                .push(test::mean(&name, squares, &square, Reason::WrongVariance).0);
+            self.evidence.push(test::mean(&name, squares, &square, Reason::WrongVariance).0);
         }
     }
 
@@ -197,16 +168,11 @@ impl Judged {
         let seen = error <= 0.05 * expected && known <= 0.05 * expected; // at least 400 draws' worth
         let rare = !seen || sums.constant();
         if evidence.p.is_none() {
-            let reason = if rare {
-                Reason::RareEvent
-            } else {
-                Reason::HeavyTail
-            };
+            let reason = if rare { Reason::RareEvent } else { Reason::HeavyTail };
             self.gates.push((reason, format!("{what}: {}", evidence.note)));
         } else if !(bound < expected) && interval.method != test::Method::Exact {
-            let why = format!(
-                "{what}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}"
-            );
+            let why =
+                format!("{what}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}");
             self.gates.push((Reason::RareEvent, why));
         }
     }

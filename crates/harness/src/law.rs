@@ -36,9 +36,7 @@ impl Law {
         let mut cells = FEWEST_CELLS;
         loop {
             let law = Self::tabulate(length, slack, cells, &survival);
-            let heaviest = (0..cells)
-                .map(|k| law.mass(k))
-                .fold(0.0, |a, b| if b > a { b } else { a });
+            let heaviest = (0..cells).map(|k| law.mass(k)).fold(0.0, |a, b| if b > a { b } else { a });
             if heaviest * 2048.0 <= law.collided() || cells >= MOST_CELLS {
                 return law;
             }
@@ -54,19 +52,10 @@ impl Law {
 
     fn tabulate(length: f64, slack: f64, cells: usize, survival: &impl Fn(f64) -> f64) -> Self {
         let edge = |k: usize| {
-            if k == cells {
-                length
-            } else {
-                length * k as f64 / cells as f64
-            }
+            if k == cells { length } else { length * k as f64 / cells as f64 }
         };
         let survival = (0..=cells).map(|k| survival(edge(k))).collect();
-        Self {
-            length,
-            scale: cells as f64 / length,
-            survival,
-            slack,
-        }
+        Self { length, scale: cells as f64 / length, survival, slack }
     }
 
     /// Length of the ray.
@@ -97,11 +86,7 @@ impl Law {
     /// The left edge of fine cell `k`.
     #[must_use]
     pub fn edge(&self, k: usize) -> f64 {
-        if k == self.cells() {
-            self.length
-        } else {
-            k as f64 / self.scale
-        }
+        if k == self.cells() { self.length } else { k as f64 / self.scale }
     }
 
     /// P(t > edge k).
@@ -164,10 +149,7 @@ impl Groups {
     /// The counts of fine cells, group by group.
     #[must_use]
     pub fn gather(&self, counts: &[u64]) -> Vec<u64> {
-        self.bounds
-            .windows(2)
-            .map(|w| counts[w[0]..w[1]].iter().sum())
-            .collect()
+        self.bounds.windows(2).map(|w| counts[w[0]..w[1]].iter().sum()).collect()
     }
 }
 
@@ -182,12 +164,7 @@ mod tests {
         assert_eq!(groups.mass.len(), 64);
         let total: f64 = groups.mass.iter().sum();
         assert!((total + law.atom() - 1.0).abs() < 1e-12);
-        assert!(
-            groups
-                .mass
-                .iter()
-                .all(|m| (m * 64.0 / law.collided() - 1.0).abs() < 0.02)
-        );
+        assert!(groups.mass.iter().all(|m| (m * 64.0 / law.collided() - 1.0).abs() < 0.02));
     }
 
     #[test]
@@ -197,10 +174,7 @@ mod tests {
             for wanted in [2, 16, 64, 97, 502, 7962] {
                 let groups = law.groups(wanted);
                 let share = LEAST_SHARE * law.collided() / wanted as f64;
-                assert!(
-                    groups.mass.iter().all(|&mass| mass >= share * (1.0 - 1e-9)),
-                    "{rate} {wanted}"
-                );
+                assert!(groups.mass.iter().all(|&mass| mass >= share * (1.0 - 1e-9)), "{rate} {wanted}");
             }
         }
     }

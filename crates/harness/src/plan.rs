@@ -45,11 +45,7 @@ impl Plan {
     pub fn of(subject: &Subject) -> Self {
         let mut plan = match (subject.work, subject.scene) {
             (Work::Exact, Scene::Grey { truth, .. }) => {
-                let claims = FreePathClaims {
-                    bounded: false,
-                    lookups: Some(0.0),
-                    ..FreePathClaims::default()
-                };
+                let claims = FreePathClaims { bounded: false, lookups: Some(0.0), ..FreePathClaims::default() };
                 Self::free_path(subject, truth, &claims)
             }
             (Work::FreePath(sampler), Scene::Grey { truth, .. }) => {
@@ -117,16 +113,9 @@ impl Plan {
 
     fn chromatic(subject: &Subject, sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Self {
         let claims = sampler.claims(&medium.channels());
-        let law = claims
-            .mixture
-            .as_ref()
-            .map(|mixture| LawPlan::of_mixture(subject, medium, mixture));
+        let law = claims.mixture.as_ref().map(|mixture| LawPlan::of_mixture(subject, medium, mixture));
         let channels = ChannelsPlan::of(subject, sampler, medium, &claims);
-        Self {
-            law,
-            channels: Some(channels),
-            ..Self::nothing()
-        }
+        Self { law, channels: Some(channels), ..Self::nothing() }
     }
 }
 
@@ -146,10 +135,6 @@ fn spread(moments: &[f64; 6]) -> (f64, f64) {
     let [m1, m2, m3, ..] = *moments;
     let variance = m2 - m1 * m1;
     let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
-    let skewness = if variance > 1e-9 * m1 * m1 {
-        third / (variance * variance.sqrt())
-    } else {
-        f64::NAN
-    };
+    let skewness = if variance > 1e-9 * m1 * m1 { third / (variance * variance.sqrt()) } else { f64::NAN };
     (if variance > 0.0 { variance } else { 0.0 }, skewness)
 }

@@ -80,10 +80,7 @@ mod tests {
         assert_eq!(text(1e-300), "1e-300");
         assert_eq!(text(f64::INFINITY), "\"inf\"");
         assert_eq!(text(f64::NAN), "\"nan\"");
-        assert_eq!(
-            serde_json::from_str::<Real>("\"-inf\"").ok(),
-            Some(Real(f64::NEG_INFINITY))
-        );
+        assert_eq!(serde_json::from_str::<Real>("\"-inf\"").ok(), Some(Real(f64::NEG_INFINITY)));
         assert!(serde_json::from_str::<Real>("null").is_err());
     }
 }

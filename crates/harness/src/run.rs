@@ -83,10 +83,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
             trials.push(stage_one(case, prepared, options)?);
         }
     }
-    let mut suspects: Vec<_> = trials
-        .iter_mut()
-        .filter(|trial| suspect(&trial.first.judged))
-        .collect();
+    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
     for trial in &suspects {
         let draws = 2 * whole(trial.subject.draws);
         (options.progress)(Progress::Planned(draws), &trial.prepared.name);
@@ -95,11 +92,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
         stage_two(trial, options)?;
     }
     let first = adjust(trials.iter().map(|trial| Some(&trial.first.judged)));
-    let second = adjust(
-        trials
-            .iter()
-            .map(|trial| trial.second.as_ref().map(|(judged, _)| judged)),
-    );
+    let second = adjust(trials.iter().map(|trial| trial.second.as_ref().map(|(judged, _)| judged)));
     let adjusted = [first.0, second.0];
     Ok(outcome(cases, &trials, &adjusted, options))
 }
@@ -124,20 +117,9 @@ fn stage_one<'a>(
     let plan = Plan::of(&subject);
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
-    let watch = Watch {
-        cancelled: options.cancelled,
-        progress: &tell,
-    };
+    let watch = Watch { cancelled: options.cancelled, progress: &tell };
     let (first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
-    Ok(Trial {
-        case,
-        prepared,
-        subject,
-        plan,
-        first,
-        second: None,
-        seconds,
-    })
+    Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
 }
 
 /// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
@@ -171,27 +153,15 @@ fn first_stage(
 }
 
 fn broken(why: String) -> Judged {
-    Judged {
-        facts: vec![(Reason::SubjectError, why)],
-        ..Judged::default()
-    }
+    Judged { facts: vec![(Reason::SubjectError, why)], ..Judged::default() }
 }
 
 /// Fresh streams, twice as many, and all tests again.
 fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let tell = |draws| (options.progress)(Progress::Done(draws), &trial.prepared.name);
-    let watch = Watch {
-        cancelled: options.cancelled,
-        progress: &tell,
-    };
+    let watch = Watch { cancelled: options.cancelled, progress: &tell };
     let blocks = Subject::blocks(trial.subject.draws);
-    let second = match collect(
-        &trial.subject,
-        &trial.plan,
-        options.seed,
-        blocks..3 * blocks,
-        &watch,
-    ) {
+    let second = match collect(&trial.subject, &trial.plan, options.seed, blocks..3 * blocks, &watch) {
         Ok(collected) => (judge(&trial.subject, &trial.plan, &collected), collected.draws),
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => (broken(why), 0),
@@ -207,14 +177,8 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
     let count = |stage: &[Vec<Option<f64>>]| stage.iter().flatten().flatten().count();
     let mut results = Vec::new();
     for (i, trial) in trials.iter().enumerate() {
-        let first = Stage {
-            judged: &trial.first.judged,
-            adjusted: &adjusted[0][i],
-        };
-        let second = trial.second.as_ref().map(|(judged, _)| Stage {
-            judged,
-            adjusted: &adjusted[1][i],
-        });
+        let first = Stage { judged: &trial.first.judged, adjusted: &adjusted[0][i] };
+        let second = trial.second.as_ref().map(|(judged, _)| Stage { judged, adjusted: &adjusted[1][i] });
         let decision: Decision = decide(first, second);
         results.push(subjects::result(cases, trial, first, second, decision, options));
     }
@@ -243,19 +207,10 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
 /// should not be and nothing is worse, else 0.
 #[must_use]
 pub fn exit_code(results: &Results) -> u8 {
-    let surprises: Vec<_> = results
-        .results
-        .iter()
-        .filter(|result| !result.as_expected)
-        .collect();
+    let surprises: Vec<_> = results.results.iter().filter(|result| !result.as_expected).collect();
     match () {
         () if surprises.is_empty() => 0,
-        () if surprises
-            .iter()
-            .all(|result| result.verdict == Verdict::Inconclusive) =>
-        {
-            4
-        }
+        () if surprises.iter().all(|result| result.verdict == Verdict::Inconclusive) => 4,
         () => 1,
     }
 }

@@ -36,12 +36,7 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
-pub fn sample_block(
-    subject: &Subject,
-    key: Key,
-    first: u64,
-    draws: &mut Draws,
-) -> Result<BlockRecord, String> {
+pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
     let budget = BUDGET_PER_DRAW.saturating_mul(draws.rows as u64);
     let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
     blank(draws);
@@ -52,30 +47,20 @@ pub fn sample_block(
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if spent {
-        return Err(format!(
-            "more than {budget} look-ups in a block of {} draws",
-            draws.rows
-        ));
+        return Err(format!("more than {budget} look-ups in a block of {} draws", draws.rows));
     }
     if shape != self::shape(draws) {
         return Err("the subject changed the length of a column of its block".into());
     }
-    let record = BlockRecord {
-        audit,
-        seconds: started.elapsed().as_secs_f64(),
-    };
+    let record = BlockRecord { audit, seconds: started.elapsed().as_secs_f64() };
     let place = BlockPlace { key, first };
-    lay_over_draws(subject.faults, place, draws, &|channel, t| {
-        mixture_over_channel(subject, channel, t)
-    });
+    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
     Ok(record)
 }
 
 /// No draw of an earlier block may stand in for one that the subject forgets to write.
 fn blank(draws: &mut Draws) {
-    let columns = [&mut draws.t, &mut draws.weight]
-        .into_iter()
-        .chain(&mut draws.channels);
+    let columns = [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels);
     columns.for_each(|column| column.fill(f64::NAN));
     draws.collisions.fill(0);
 }
@@ -83,11 +68,7 @@ fn blank(draws: &mut Draws) {
 /// The length of every column.
 fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
     let columns = [&draws.t, &draws.weight].into_iter().chain(&draws.channels);
-    (
-        draws.rows,
-        draws.collisions.len(),
-        columns.map(Vec::len).collect(),
-    )
+    (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
 fn why(payload: &(dyn Any + Send)) -> String {
@@ -95,9 +76,7 @@ fn why(payload: &(dyn Any + Send)) -> String {
         return "the subject ran past its budget of look-ups or random words".into();
     }
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
-    let text = text
-        .or_else(|| payload.downcast_ref::<String>().cloned())
-        .unwrap_or_default();
+    let text = text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default();
     format!("the subject panicked: {text}")
 }
 
@@ -139,11 +118,9 @@ fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams
         medium.begin();
         let path = match work {
             Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
-            Work::Transmittance(estimator) => FreePath {
-                t: f64::INFINITY,
-                weight: estimator.estimate(medium, &mut rng),
-                collisions: 0,
-            },
+            Work::Transmittance(estimator) => {
+                FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
+            }
             Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
                 return from_truth(work, truth, streams, draws);
             }
@@ -157,11 +134,7 @@ fn from_truth(work: Work, truth: &dyn Medium, streams: &Streams, draws: &mut Dra
     let transmittance = libm::exp(-truth.tau(truth.length()));
     let mut rng = streams.rng();
     for row in 0..draws.rows {
-        let t = if let Work::Exact = work {
-            truth.inverse_tau(exponential(&mut rng))
-        } else {
-            f64::INFINITY
-        };
+        let t = if let Work::Exact = work { truth.inverse_tau(exponential(&mut rng)) } else { f64::INFINITY };
         draws.put(row, t, transmittance, 0);
     }
 }
@@ -177,18 +150,9 @@ fn chromatic(
         return (Audit::default(), false);
     };
     let channels = medium.channels();
-    let audited: Vec<Audited> = channels
-        .iter()
-        .map(|c| Audited::new(c.extinction, budget, 1e-12))
-        .collect();
-    let seen: Vec<Channel> = audited
-        .iter()
-        .zip(&channels)
-        .map(|(a, c)| Channel {
-            extinction: a,
-            albedo: c.albedo,
-        })
-        .collect();
+    let audited: Vec<Audited> = channels.iter().map(|c| Audited::new(c.extinction, budget, 1e-12)).collect();
+    let seen: Vec<Channel> =
+        audited.iter().zip(&channels).map(|(a, c)| Channel { extinction: a, albedo: c.albedo }).collect();
     if subject.route == Route::Scalar {
         let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
         for row in 0..draws.rows {
@@ -201,10 +165,7 @@ fn chromatic(
     } else {
         sampler.sample_block(&seen, streams, draws);
     }
-    let record = audited
-        .iter()
-        .map(Audited::record)
-        .fold(Audit::default(), Audit::plus);
+    let record = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
     (record, audited.iter().any(Audited::spent))
 }
 
@@ -218,10 +179,6 @@ fn mixture_over_channel(subject: &Subject, channel: usize, t: f64) -> f64 {
         return f64::NAN;
     };
     let (mu, length) = (one.extinction.mu(0.0), medium.length());
-    let alone = if t.is_finite() {
-        mu * libm::exp(-mu * t)
-    } else {
-        libm::exp(-mu * length)
-    };
+    let alone = if t.is_finite() { mu * libm::exp(-mu * t) } else { libm::exp(-mu * length) };
     sampler.pdf(&channels, t).unwrap_or(f64::NAN) / alone
 }

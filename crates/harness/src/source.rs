@@ -62,20 +62,14 @@ pub fn read_volume(path: &Path) -> Result<Volume, SourceError> {
         let (mut file, size) = open_regular(path)?;
         npy::read_volume(&mut file, size)
     };
-    read().map_err(|refusal| SourceError {
-        file: path.to_path_buf(),
-        refusal,
-    })
+    read().map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
 }
 
 /// The file and its size. Pipes and devices are refused before they are opened, since that alone may wait for ever.
 fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
     let regular = |metadata: &std::fs::Metadata| match metadata.is_file() {
         true => Ok(()),
-        false => Err(Refusal::new(
-            "it is not a regular file",
-            "no folder, pipe or device",
-        )),
+        false => Err(Refusal::new("it is not a regular file", "no folder, pipe or device")),
     };
     regular(&std::fs::metadata(path)?)?;
     let file = File::open(path)?;
@@ -144,9 +138,7 @@ mod tests {
         let integral = quadrature::integrate(&|t| ray.mu(t), 0.0, ray.length(), ray.breaks());
         assert!((ray.tau(ray.length()) - integral.value).abs() < 1e-12 * integral.value);
         assert_eq!(Majorants::tight(&ray, 64).shortfall(&ray), None);
-        let refused = build("head_anat_25x41x33_f32.npy", 1e-4, 0.0)
-            .unwrap_err()
-            .to_string();
+        let refused = build("head_anat_25x41x33_f32.npy", 1e-4, 0.0).unwrap_err().to_string();
         assert!(refused.contains("[z][y][x] = ["), "{refused}");
         assert!(build("head_anat_25x41x33_f32.npy", 1e-4, 0.1).is_ok());
     }
@@ -157,14 +149,8 @@ mod tests {
         let error = read_volume(&file.0).unwrap_err();
         assert_eq!(error.file(), file.0);
         let message = error.to_string();
-        assert!(
-            message.starts_with("cannot read ") && message.ends_with(')'),
-            "{message}"
-        );
-        assert!(
-            message.contains("secret.npy: it is not a .npy file (") && !message.contains("root"),
-            "{message}"
-        );
+        assert!(message.starts_with("cannot read ") && message.ends_with(')'), "{message}");
+        assert!(message.contains("secret.npy: it is not a .npy file (") && !message.contains("root"), "{message}");
     }
 
     #[test]

@@ -6,9 +6,7 @@ mod support;
 use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let out = std::env::args()
-        .nth(1)
-        .map_or_else(|| PathBuf::from("reports/preview"), PathBuf::from);
+    let out = std::env::args().nth(1).map_or_else(|| PathBuf::from("reports/preview"), PathBuf::from);
     let (results, mut timings) = support::run();
     std::fs::create_dir_all(&out)?;
     let text = freepath_report::json(&results)?;

@@ -37,11 +37,7 @@ pub(crate) struct Stroke {
 
 impl Stroke {
     pub(crate) const fn new(ink: Ink, width: f64) -> Self {
-        Self {
-            ink,
-            width,
-            dashed: false,
-        }
+        Self { ink, width, dashed: false }
     }
 
     pub(crate) const fn dashed(self) -> Self {
@@ -121,12 +117,7 @@ pub(crate) struct Picture {
 
 impl Picture {
     pub(crate) fn new(width: f64, height: f64, title: impl Into<String>) -> Self {
-        Self {
-            width,
-            height,
-            title: title.into(),
-            ..Self::default()
-        }
+        Self { width, height, title: title.into(), ..Self::default() }
     }
 
     pub(crate) fn line(&mut self, points: Vec<Point>, stroke: Stroke) {
@@ -144,43 +135,20 @@ impl Picture {
     pub(crate) fn rect(&mut self, from: Point, to: Point, ink: Ink, alpha: f64) {
         let (left, right) = (from.0.min(to.0), from.0.max(to.0));
         let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
-        self.shapes.push(Shape::Rect {
-            from: (left, top),
-            to: (right, bottom),
-            ink,
-            alpha,
-        });
+        self.shapes.push(Shape::Rect { from: (left, top), to: (right, bottom), ink, alpha });
     }
 
     pub(crate) fn mark(&mut self, at: Point, mark: Mark, ink: Ink, hollow: bool) {
-        self.shapes.push(Shape::Mark {
-            at,
-            mark,
-            ink,
-            radius: 4.2,
-            hollow,
-        });
+        self.shapes.push(Shape::Mark { at, mark, ink, radius: 4.2, hollow });
     }
 
     /// A hollow marker large enough to be seen around another.
     pub(crate) fn ring(&mut self, at: Point, mark: Mark, ink: Ink) {
-        self.shapes.push(Shape::Mark {
-            at,
-            mark,
-            ink,
-            radius: 7.0,
-            hollow: true,
-        });
+        self.shapes.push(Shape::Mark { at, mark, ink, radius: 7.0, hollow: true });
     }
 
     pub(crate) fn text(&mut self, at: Point, text: impl Into<String>, size: f64, ink: Ink, align: Align) {
-        self.shapes.push(Shape::Text {
-            at,
-            text: text.into(),
-            size,
-            ink,
-            align,
-        });
+        self.shapes.push(Shape::Text { at, text: text.into(), size, ink, align });
     }
 
     /// A sentence in place of data that cannot be drawn.

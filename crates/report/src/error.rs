@@ -22,10 +22,7 @@ pub enum ReportError {
 
 impl ReportError {
     pub(crate) fn write(path: &Path, cause: std::io::Error) -> Self {
-        Self::Write {
-            path: path.to_path_buf(),
-            cause,
-        }
+        Self::Write { path: path.to_path_buf(), cause }
     }
 }
 

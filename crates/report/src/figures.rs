@@ -32,11 +32,7 @@ impl Figures {
 /// All plots of `site`.
 pub(crate) fn of(site: &Site) -> Figures {
     Figures {
-        subjects: site
-            .subjects
-            .par_iter()
-            .map(|subject| of_subject(site, subject))
-            .collect(),
+        subjects: site.subjects.par_iter().map(|subject| of_subject(site, subject)).collect(),
         cases: site.cases.par_iter().map(|case| of_case(site, case)).collect(),
     }
 }
@@ -49,11 +45,7 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
         series.cdf.as_ref().map(|s| cdf::figure(s, name, level)),
         series.histogram.as_ref().map(|s| histogram::figure(s, name)),
         series.residuals.as_ref().map(|s| residuals::figure(s, name)),
-        series
-            .running
-            .as_ref()
-            .zip(result.mean.as_ref())
-            .map(|(s, mean)| running::figure(s, mean, name, level)),
+        series.running.as_ref().zip(result.mean.as_ref()).map(|(s, mean)| running::figure(s, mean, name, level)),
         channels(subject),
     ];
     named(&subject.id, figures.into_iter().flatten())
@@ -68,25 +60,12 @@ fn channels(subject: &Subject) -> Option<Figure> {
 fn channel_entries<'a>(subject: &Subject<'a>, before: &str) -> Vec<Entry<'a>> {
     let verdict = subject.result.verdict;
     let label = |c: &ChannelResult| format!("{before}channel {}, {}", c.channel, clean(&c.event, 24));
-    subject
-        .result
-        .channels
-        .iter()
-        .map(|c| Entry {
-            label: label(c),
-            mean: &c.mean,
-            verdict,
-        })
-        .collect()
+    subject.result.channels.iter().map(|c| Entry { label: label(c), mean: &c.mean, verdict }).collect()
 }
 
 fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
     let members = site.members(case);
-    let mut figures: Vec<Figure> = case
-        .medium
-        .map(|m| medium::figure(m, &case.title))
-        .into_iter()
-        .collect();
+    let mut figures: Vec<Figure> = case.medium.map(|m| medium::figure(m, &case.title)).into_iter().collect();
     figures.extend(means(case, &members));
     let costs: Vec<Cost> = members.iter().filter_map(|s| paid(s)).collect();
     if !costs.is_empty() {
@@ -94,11 +73,7 @@ fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
         figures.push(cost::figure(&costs, &case.title));
     }
     let ladders = ladders::of(&members);
-    figures.extend(
-        ladders
-            .iter()
-            .map(|ladder| order::figure(ladder, "order", &case.title)),
-    );
+    figures.extend(ladders.iter().map(|ladder| order::figure(ladder, "order", &case.title)));
     named(&case.id, figures)
 }
 
@@ -107,33 +82,17 @@ fn means(case: &Case, members: &[&Subject]) -> Option<Figure> {
     for subject in members.iter().filter(|s| !s.is_control()) {
         let verdict = subject.result.verdict;
         let mean = subject.result.mean.as_ref();
-        entries.extend(mean.map(|mean| Entry {
-            label: subject.name.clone(),
-            mean,
-            verdict,
-        }));
-        entries.extend(channel_entries(
-            subject,
-            &format!("{}, ", clean(&subject.name, 18)),
-        ));
+        entries.extend(mean.map(|mean| Entry { label: subject.name.clone(), mean, verdict }));
+        entries.extend(channel_entries(subject, &format!("{}, ", clean(&subject.name, 18))));
     }
     let title = format!("{}: relative bias of each estimator", case.title);
     (!entries.is_empty()).then(|| forest::figure(&entries, "means", "Biases", &title))
 }
 
 fn paid<'a>(subject: &Subject<'a>) -> Option<Cost<'a>> {
-    let efficiency = subject
-        .result
-        .efficiency
-        .as_ref()
-        .filter(|_| !subject.is_control())?;
+    let efficiency = subject.result.efficiency.as_ref().filter(|_| !subject.is_control())?;
     let lookups = subject.result.lookups.0;
-    Some(Cost {
-        name: subject.name.clone(),
-        efficiency,
-        lookups,
-        seconds: subject.seconds,
-    })
+    Some(Cost { name: subject.name.clone(), efficiency, lookups, seconds: subject.seconds })
 }
 
 /// A second figure of the same name gets a number.
@@ -142,15 +101,8 @@ fn named(id: &str, figures: impl IntoIterator<Item = Figure>) -> Vec<Drawn> {
     let mut drawn: Vec<Drawn> = vec![];
     for figure in figures {
         let before = drawn.iter().filter(|d| d.figure.name == figure.name).count();
-        let number = if before > 0 {
-            format!("-{}", before + 1)
-        } else {
-            String::new()
-        };
-        drawn.push(Drawn {
-            file: format!("{stem}-{}{number}", figure.name),
-            figure,
-        });
+        let number = if before > 0 { format!("-{}", before + 1) } else { String::new() };
+        drawn.push(Drawn { file: format!("{stem}-{}{number}", figure.name), figure });
     }
     drawn
 }

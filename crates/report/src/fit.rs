@@ -32,18 +32,9 @@ pub(crate) fn fit(points: &[Observation]) -> Option<Fit> {
         let gap = p[1] - my - slope * (p[0] - mx);
         p[2] * gap * gap
     });
-    let scatter = if logs.len() > 2 {
-        2.0 * libm::sqrt(rest / (logs.len() - 2) as f64 / spread)
-    } else {
-        0.0
-    };
+    let scatter = if logs.len() > 2 { 2.0 * libm::sqrt(rest / (logs.len() - 2) as f64 / spread) } else { 0.0 };
     let half = libm::sqrt(1.0 / spread).max(scatter);
-    let found = Fit {
-        order: -slope,
-        low: -slope - half,
-        high: -slope + half,
-        at_one: my - slope * mx,
-    };
+    let found = Fit { order: -slope, low: -slope - half, high: -slope + half, at_one: my - slope * mx };
     (logs.len() >= 2 && slope.is_finite() && half.is_finite()).then_some(found)
 }
 
@@ -61,14 +52,7 @@ mod tests {
 
     fn points(order: f64) -> Vec<Observation> {
         let y = |n: f64| 0.3 * libm::pow(n, -order);
-        [2.0, 4.0, 8.0]
-            .map(|n| Observation {
-                x: n,
-                y: y(n),
-                low: 0.9 * y(n),
-                high: 1.1 * y(n),
-            })
-            .into()
+        [2.0, 4.0, 8.0].map(|n| Observation { x: n, y: y(n), low: 0.9 * y(n), high: 1.1 * y(n) }).into()
     }
 
     #[test]

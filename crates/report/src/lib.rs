@@ -43,11 +43,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            png: true,
-            svg: true,
-            run: None,
-        }
+        Self { png: true, svg: true, run: None }
     }
 }
 

@@ -19,10 +19,7 @@ pub(crate) fn digits(x: f64, n: usize) -> String {
     let exponent = exponent.parse::<i32>().unwrap_or(0);
     let text = match exponent {
         _ if !(x.abs() > 0.0) => "0".into(),
-        -3..5 => trimmed(&format!(
-            "{x:.*}",
-            usize::try_from(n as i32 - 1 - exponent).unwrap_or(0)
-        )),
+        -3..5 => trimmed(&format!("{x:.*}", usize::try_from(n as i32 - 1 - exponent).unwrap_or(0))),
         _ => format!("{}×{}", trimmed(mantissa), power(exponent)),
     };
     text.replace('-', "−")
@@ -30,10 +27,7 @@ pub(crate) fn digits(x: f64, n: usize) -> String {
 
 /// The decimal exponent of `x` as printed: 0 for 0 and for what is not finite.
 pub(crate) fn exponent(x: f64) -> i32 {
-    format!("{x:e}")
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0)
+    format!("{x:e}").split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
 }
 
 /// 10^n without the loss that a subnormal divisor would bring.
@@ -43,11 +37,7 @@ pub(crate) fn ten(n: i32) -> f64 {
 
 /// Without trailing zeros after a point.
 fn trimmed(text: &str) -> String {
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').into()
-    } else {
-        text.into()
-    }
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text.into() }
 }
 
 /// `10ⁿ`.
@@ -61,10 +51,7 @@ fn superscript(n: i32) -> String {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        c => c
-            .to_digit(10)
-            .and_then(|d| char::from_u32(0x2070 + d))
-            .unwrap_or(c),
+        c => c.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(c),
     };
     n.to_string().chars().map(raised).collect()
 }
@@ -98,34 +85,11 @@ mod tests {
 
     #[test]
     fn numbers_read_well() {
-        let all = [
-            0.0,
-            1.0,
-            -0.012_345,
-            123_456.0,
-            1.5e-9,
-            f64::NAN,
-            f64::INFINITY,
-            5e-324,
-            0.000_999_9,
-        ];
+        let all = [0.0, 1.0, -0.012_345, 123_456.0, 1.5e-9, f64::NAN, f64::INFINITY, 5e-324, 0.000_999_9];
         let text: Vec<_> = all.iter().map(|&x| short(x)).collect();
-        let want = [
-            "0",
-            "1",
-            "−0.0123",
-            "1.23×10⁵",
-            "1.5×10⁻⁹",
-            "not a number",
-            "∞",
-            "4.94×10⁻³²⁴",
-            "0.001",
-        ];
+        let want = ["0", "1", "−0.0123", "1.23×10⁵", "1.5×10⁻⁹", "not a number", "∞", "4.94×10⁻³²⁴", "0.001"];
         assert_eq!(text, want);
-        assert_eq!(
-            [count(0), count(999), count(1_048_576)],
-            ["0", "999", "1,048,576"]
-        );
+        assert_eq!([count(0), count(999), count(1_048_576)], ["0", "999", "1,048,576"]);
         assert_eq!([seconds(0.84), seconds(200.0)], ["840 ms", "3 min 20 s"]);
     }
 }

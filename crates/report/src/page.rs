@@ -46,16 +46,9 @@ struct Page {
 }
 
 /// The whole page as HTML.
-pub(crate) fn html(
-    site: &Site,
-    figures: &Figures,
-    run: &str,
-    options: &Options,
-) -> Result<String, ReportError> {
+pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options) -> Result<String, ReportError> {
     let rows: Vec<Row> = site.subjects.iter().map(|s| Row::new(site, s)).collect();
-    let cases = (0..site.cases.len())
-        .into_par_iter()
-        .map(|i| CaseView::new(site, figures, i));
+    let cases = (0..site.cases.len()).into_par_iter().map(|i| CaseView::new(site, figures, i));
     let page = Page {
         policy: policy(),
         font: base64(FONT),

@@ -34,12 +34,7 @@ pub(crate) struct Figure {
 
 /// The pairs of two columns, as many as both have, thinned to what can be seen.
 pub(crate) fn pairs(x: &[Real], y: &[Real]) -> Vec<Point> {
-    let all: Vec<Point> = x
-        .iter()
-        .zip(y)
-        .take(MOST_POINTS)
-        .map(|(x, y)| (x.0, y.0))
-        .collect();
+    let all: Vec<Point> = x.iter().zip(y).take(MOST_POINTS).map(|(x, y)| (x.0, y.0)).collect();
     thin(all)
 }
 
@@ -64,20 +59,13 @@ fn ends(run: &[Point]) -> Vec<Point> {
 
 /// The largest finite magnitude; 0 if there is none.
 pub(crate) fn reach(values: impl IntoIterator<Item = f64>) -> f64 {
-    values
-        .into_iter()
-        .map(f64::abs)
-        .filter(|x| x.is_finite())
-        .fold(0.0, f64::max)
+    values.into_iter().map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
 
 /// The least and greatest finite value.
 pub(crate) fn span(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .into_iter()
-        .filter(|x| x.is_finite())
-        .fold(None, |span, x| match span {
-            None => Some((x, x)),
-            Some((lo, hi)) => Some((x.min(lo), x.max(hi))),
-        })
+    values.into_iter().filter(|x| x.is_finite()).fold(None, |span, x| match span {
+        None => Some((x, x)),
+        Some((lo, hi)) => Some((x.min(lo), x.max(hi))),
+    })
 }

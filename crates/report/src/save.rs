@@ -20,11 +20,7 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
 /// Writes every plot as PNG and SVG, as far as `options` want them.
 pub(crate) fn plots(figures: &Figures, options: &Options, folder: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(folder).map_err(|cause| ReportError::write(folder, cause))?;
-    figures
-        .all()
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .try_for_each(|drawn| files(drawn, options, folder))
+    figures.all().collect::<Vec<_>>().into_par_iter().try_for_each(|drawn| files(drawn, options, folder))
 }
 
 fn files(drawn: &Drawn, options: &Options, folder: &Path) -> Result<(), ReportError> {

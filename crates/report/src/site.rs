@@ -47,21 +47,13 @@ pub(crate) struct Case<'a> {
 impl<'a> Site<'a> {
     pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>) -> Self {
         let mut slugs = Slugs::default();
-        let mut cases: Vec<Case> = results
-            .media
-            .iter()
-            .take(MOST_SUBJECTS)
-            .map(|m| case(m, &mut slugs))
-            .collect();
+        let mut cases: Vec<Case> = results.media.iter().take(MOST_SUBJECTS).map(|m| case(m, &mut slugs)).collect();
         let seconds = per_draw(timings);
         let mut orphans = false;
         let mut subjects = vec![];
         for result in results.results.iter().take(MOST_SUBJECTS) {
-            let home = if result.medium < cases.len() {
-                result.medium
-            } else {
-                cases.len() - usize::from(orphans)
-            };
+            let home =
+                if result.medium < cases.len() { result.medium } else { cases.len() - usize::from(orphans) };
             if home == cases.len() {
                 cases.push(lost(&mut slugs));
                 orphans = true;
@@ -75,20 +67,12 @@ impl<'a> Site<'a> {
                 case: home,
             });
         }
-        Self {
-            results,
-            timings,
-            subjects,
-            cases,
-        }
+        Self { results, timings, subjects, cases }
     }
 
     /// The subjects of a case.
     pub(crate) fn members(&self, case: &Case) -> Vec<&Subject<'a>> {
-        case.members
-            .iter()
-            .filter_map(|&i| self.subjects.get(i))
-            .collect()
+        case.members.iter().filter_map(|&i| self.subjects.get(i)).collect()
     }
 
     /// How many subjects are not shown.
@@ -100,27 +84,16 @@ impl<'a> Site<'a> {
 fn case<'a>(medium: &'a MediumResult, slugs: &mut Slugs) -> Case<'a> {
     let ray = medium.ray.map_or(String::new(), |ray| format!(", ray {ray}"));
     let title = format!("{}{ray}", clean(&medium.case, 200));
-    Case {
-        id: slugs.take("c-", &title),
-        title,
-        medium: Some(medium),
-        members: vec![],
-    }
+    Case { id: slugs.take("c-", &title), title, medium: Some(medium), members: vec![] }
 }
 
 /// For subjects whose medium the results do not hold.
 fn lost<'a>(slugs: &mut Slugs) -> Case<'a> {
     let title = "Medium not in the results".to_string();
-    Case {
-        id: slugs.take("c-", &title),
-        title,
-        medium: None,
-        members: vec![],
-    }
+    Case { id: slugs.take("c-", &title), title, medium: None, members: vec![] }
 }
 
 fn per_draw(timings: Option<&Timings>) -> HashMap<&str, f64> {
     let all = timings.iter().flat_map(|t| &t.subjects).filter(|s| s.draws > 0);
-    all.map(|s| (s.id.as_str(), s.seconds.0 / s.draws as f64))
-        .collect()
+    all.map(|s| (s.id.as_str(), s.seconds.0 / s.draws as f64)).collect()
 }

@@ -4,10 +4,7 @@ use std::collections::HashSet;
 
 /// `text` without control and direction marks, cut to `most` characters.
 pub(crate) fn clean(text: &str, most: usize) -> String {
-    let mut kept = text
-        .chars()
-        .map(|c| if c.is_whitespace() { ' ' } else { c })
-        .filter(|&c| !is_mark(c));
+    let mut kept = text.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).filter(|&c| !is_mark(c));
     let mut out: String = kept.by_ref().take(most).collect();
     if kept.next().is_some() {
         out.pop();
@@ -69,11 +66,7 @@ pub(crate) fn script_json(value: &serde_json::Value) -> String {
         if c.is_ascii() && !matches!(c, '<' | '>' | '&') {
             out.push(c);
         } else {
-            out.extend(
-                c.encode_utf16(&mut [0; 2])
-                    .iter()
-                    .map(|unit| format!("\\u{unit:04x}")),
-            );
+            out.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
         }
     }
     out
@@ -86,10 +79,7 @@ mod tests {
     #[test]
     fn ids_are_plain_and_unique() {
         let mut slugs = Slugs::default();
-        assert_eq!(
-            slugs.take("s-", "Gaussian bump / <b>δ</b>"),
-            "s-Gaussian-bump-b-b"
-        );
+        assert_eq!(slugs.take("s-", "Gaussian bump / <b>δ</b>"), "s-Gaussian-bump-b-b");
         assert_eq!(slugs.take("s-", "gaussian bump b b"), "s-gaussian-bump-b-b-2");
         assert_eq!(slugs.take("s-", "δ"), "s-x");
         assert!(slugs.take("s-", &"long ".repeat(100)).len() < 130);

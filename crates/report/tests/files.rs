@@ -8,25 +8,12 @@ use std::fs;
 use std::path::Path;
 
 fn names(folder: &Path, extension: &str) -> BTreeSet<String> {
-    let all = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    all.filter_map(|name| name.strip_suffix(extension).map(String::from))
-        .collect()
+    let all = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    all.filter_map(|name| name.strip_suffix(extension).map(String::from)).collect()
 }
 
-const KINDS: [&str; 10] = [
-    "cdf",
-    "histogram",
-    "residuals",
-    "running",
-    "channels",
-    "means",
-    "medium",
-    "efficiency",
-    "cost",
-    "order",
-];
+const KINDS: [&str; 10] =
+    ["cdf", "histogram", "residuals", "running", "channels", "means", "medium", "efficiency", "cost", "order"];
 
 #[test]
 fn every_plot_is_there_in_both_forms_and_small() {
@@ -38,11 +25,7 @@ fn every_plot_is_there_in_both_forms_and_small() {
     let (png, svg) = (names(&plots, ".png"), names(&plots, ".svg"));
     assert!(png.len() > 60);
     assert_eq!(png, svg);
-    assert_eq!(
-        fs::read_dir(&plots).unwrap().count(),
-        png.len() + svg.len(),
-        "something was left beside"
-    );
+    assert_eq!(fs::read_dir(&plots).unwrap().count(), png.len() + svg.len(), "something was left beside");
     for kind in KINDS {
         assert!(png.iter().any(|name| name.ends_with(kind)), "{kind}");
     }
@@ -53,12 +36,7 @@ fn every_plot_is_there_in_both_forms_and_small() {
             text.starts_with("<svg ") && text.ends_with("</svg>\n") && text.contains("role=\"img\""),
             "{name}"
         );
-        assert!(
-            fs::read(plots.join(format!("{name}.png")))
-                .unwrap()
-                .starts_with(b"\x89PNG"),
-            "{name}"
-        );
+        assert!(fs::read(plots.join(format!("{name}.png"))).unwrap().starts_with(b"\x89PNG"), "{name}");
     }
     links_lead_to_files(&out);
     fs::remove_dir_all(&out).unwrap();
@@ -66,11 +44,7 @@ fn every_plot_is_there_in_both_forms_and_small() {
 
 fn links_lead_to_files(out: &Path) {
     let page = fs::read_to_string(out.join("index.html")).unwrap();
-    for link in page
-        .split("href=\"plots/")
-        .skip(1)
-        .filter_map(|rest| rest.split('"').next())
-    {
+    for link in page.split("href=\"plots/").skip(1).filter_map(|rest| rest.split('"').next()) {
         assert!(out.join("plots").join(link).is_file(), "{link}");
     }
     assert_eq!(names(out, ".html"), BTreeSet::from(["index".to_string()]));

@@ -28,9 +28,7 @@ fn survives(results: &Results, name: &str) -> String {
 /// A few subjects of each kind, for speed.
 fn some() -> Results {
     let (mut results, _) = support::run();
-    results
-        .results
-        .retain(|r| r.medium == 1 || r.medium == 11 || !r.faults.is_empty());
+    results.results.retain(|r| r.medium == 1 || r.medium == 11 || !r.faults.is_empty());
     results
 }
 
@@ -44,14 +42,11 @@ fn attacked() -> Results {
     }
     for (i, r) in results.results.iter_mut().enumerate() {
         r.id = format!("{ATTACK}{}", i % 3);
-        (r.file, r.case, r.subject, r.estimator) =
-            (ATTACK.into(), ATTACK.into(), ATTACK.into(), ATTACK.into());
+        (r.file, r.case, r.subject, r.estimator) = (ATTACK.into(), ATTACK.into(), ATTACK.into(), ATTACK.into());
         (r.kind, r.expected, r.repro) = (ATTACK.into(), ATTACK.into(), ATTACK.into());
         (r.notes, r.faults) = (vec![ATTACK.into()], vec![ATTACK.into()]);
         r.parameters = serde_json::json!(ATTACK);
-        r.tests
-            .iter_mut()
-            .for_each(|t| (t.name, t.note) = (ATTACK.into(), ATTACK.into()));
+        r.tests.iter_mut().for_each(|t| (t.name, t.note) = (ATTACK.into(), ATTACK.into()));
         r.channels.iter_mut().for_each(|c| c.event = ATTACK.into());
         r.order.iter_mut().for_each(|o| o.rule = ATTACK.into());
         r.efficiency.iter_mut().for_each(|e| e.refusal = ATTACK.into());
@@ -62,13 +57,7 @@ fn attacked() -> Results {
 #[test]
 fn no_text_becomes_markup() {
     let results = attacked();
-    for results in [
-        results.clone(),
-        Results {
-            results: without_faults(&results),
-            ..results
-        },
-    ] {
+    for results in [results.clone(), Results { results: without_faults(&results), ..results }] {
         let page = survives(&results, "attack");
         for part in ["<img", "onerror=alert(1)>", "\u{202e}", "\u{2028}"] {
             let near = page.find(part).map(|at| page.get(at - 60..at + 60));
@@ -89,39 +78,22 @@ fn without_faults(results: &Results) -> Vec<freepath_harness::results::SubjectRe
 /// Every series and number replaced.
 fn flooded(value: f64, length: usize) -> Results {
     let mut results = some();
-    results
-        .results
-        .retain(|r| r.medium == 11 || r.order.is_some() || !r.faults.is_empty() && r.law.is_none());
+    results.results.retain(|r| r.medium == 11 || r.order.is_some() || !r.faults.is_empty() && r.law.is_none());
     let x = Real(value);
     for r in &mut results.results {
         r.series = series(r.law.is_some(), r.mean.is_some(), x, length);
-        for m in r
-            .mean
-            .iter_mut()
-            .chain(r.channels.iter_mut().map(|c| &mut c.mean))
-        {
+        for m in r.mean.iter_mut().chain(r.channels.iter_mut().map(|c| &mut c.mean)) {
             (m.expected, m.bias, m.low, m.high, m.bound, m.estimate, m.variance) = (x, x, x, x, x, x, x);
         }
-        r.efficiency
-            .iter_mut()
-            .for_each(|e| (e.relative_variance, e.low, e.high) = (x, x, x));
-        r.order
-            .iter_mut()
-            .for_each(|o| (o.predicted, o.bias, o.steps) = (x, x, length as u64));
+        r.efficiency.iter_mut().for_each(|e| (e.relative_variance, e.low, e.high) = (x, x, x));
+        r.order.iter_mut().for_each(|o| (o.predicted, o.bias, o.steps) = (x, x, length as u64));
         r.lookups = x;
     }
     for m in &mut results.media {
         let many = || vec![x; length];
         (m.length, m.extrema) = (x, [x; 2]);
-        m.series = vec![
-            MediumSeries {
-                t: many(),
-                mu: many(),
-                majorant: many(),
-                transmittance: many()
-            };
-            length.min(9)
-        ];
+        m.series =
+            vec![MediumSeries { t: many(), mu: many(), majorant: many(), transmittance: many() }; length.min(9)];
     }
     results
 }
@@ -139,18 +111,7 @@ fn series(law: bool, mean: bool, x: Real, length: usize) -> Series {
 
 #[test]
 fn no_number_breaks_a_plot() {
-    for value in [
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        0.0,
-        -0.0,
-        -1.0,
-        5e-324,
-        1e-300,
-        1e308,
-        -1e308,
-    ] {
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, -1.0, 5e-324, 1e-300, 1e308, -1e308] {
         survives(&flooded(value, 7), "numbers");
     }
     assert!(html(&flooded(f64::NAN, 7), None).unwrap().contains("not finite"));

@@ -7,10 +7,7 @@ use std::collections::HashSet;
 
 /// What follows `before` up to the next quote, at every place.
 fn quoted<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
-    page.split(before)
-        .skip(1)
-        .filter_map(|rest| rest.split('"').next())
-        .collect()
+    page.split(before).skip(1).filter_map(|rest| rest.split('"').next()).collect()
 }
 
 /// The page without the text of its script and style.
@@ -18,9 +15,7 @@ fn markup(page: &str) -> String {
     let without = |text: &str, open: &str, close: &str| -> String {
         let mut parts = text.split(open);
         let first = parts.next().unwrap_or_default().to_string();
-        parts.fold(first, |kept, part| {
-            kept + part.split_once(close).map_or("", |(_, rest)| rest)
-        })
+        parts.fold(first, |kept, part| kept + part.split_once(close).map_or("", |(_, rest)| rest))
     };
     without(&without(page, "<script>", "</script>"), "<style>", "</style>")
 }
@@ -43,10 +38,7 @@ fn every_link_leads_somewhere_and_no_id_is_taken_twice() {
 fn nothing_is_loaded_from_anywhere() {
     let (results, timings) = support::run();
     let page = markup(&html(&results, Some(&timings)).unwrap());
-    for link in quoted(&page, "href=\"")
-        .into_iter()
-        .chain(quoted(&page, "src=\""))
-    {
+    for link in quoted(&page, "href=\"").into_iter().chain(quoted(&page, "src=\"")) {
         assert!(link.starts_with('#') || link.starts_with("plots/"), "{link}");
     }
     for part in ["http:", "https:", "<img", "<link", "<iframe", "@import"] {
@@ -74,10 +66,7 @@ fn the_page_says_what_was_found() {
     ] {
         assert!(page.contains(&words), "{words}");
     }
-    assert_eq!(
-        page.matches("<details class=\"subject\"").count(),
-        results.results.len()
-    );
+    assert_eq!(page.matches("<details class=\"subject\"").count(), results.results.len());
     assert_eq!(page.matches(" open>\n<summary>").count(), odd);
 }
 
@@ -100,25 +89,13 @@ fn the_same_results_give_the_same_page() {
 #[test]
 fn timings_of_another_run_are_left_out() {
     let (results, timings) = support::run();
-    let options = Options {
-        run: Some("another".into()),
-        ..Options::default()
-    };
-    assert!(
-        !options
-            .html(&results, Some(&timings))
-            .unwrap()
-            .contains("on 8 threads")
-    );
+    let options = Options { run: Some("another".into()), ..Options::default() };
+    assert!(!options.html(&results, Some(&timings)).unwrap().contains("on 8 threads"));
 }
 
 #[test]
 fn a_page_without_plots_beside_it_does_not_link_to_them() {
     let (results, _) = support::run();
-    let options = Options {
-        png: false,
-        svg: false,
-        run: None,
-    };
+    let options = Options { png: false, svg: false, run: None };
     assert!(!options.html(&results, None).unwrap().contains("href=\"plots/"));
 }

@@ -20,12 +20,7 @@ impl Layer {
     /// Extinction `mu0` at the start, falling over `a`, on a ray of `length`.
     #[must_use]
     pub fn new(mu0: f64, a: f64, length: f64) -> Self {
-        Self {
-            mu0,
-            a,
-            length,
-            majorants: Majorants::constant(mu0, length),
-        }
+        Self { mu0, a, length, majorants: Majorants::constant(mu0, length) }
     }
 }
 

@@ -27,11 +27,7 @@ fn a_closure_is_a_sampler() {
         let depth = -libm::log(1.0 - rng.random::<f64>());
         let (mu0, a) = (2.5, 1.4);
         let t = depth / (mu0 - depth / a);
-        if t > 0.0 && t < medium.length() {
-            t
-        } else {
-            f64::INFINITY
-        }
+        if t > 0.0 && t < medium.length() { t } else { f64::INFINITY }
     };
     assert_free_path(&inversion, &layer());
 }
@@ -62,10 +58,7 @@ struct MyChannels;
 impl ChromaticSampler for MyChannels {
     fn sample(&self, channels: &[Channel], rng: &mut dyn Rng, weights: &mut [f64]) -> f64 {
         let chosen = rng.random_range(0..channels.len());
-        let mus: Vec<f64> = channels
-            .iter()
-            .map(|channel| channel.extinction.mu(0.0))
-            .collect();
+        let mus: Vec<f64> = channels.iter().map(|channel| channel.extinction.mu(0.0)).collect();
         let length = channels[0].extinction.length();
         let t = -libm::log(1.0 - rng.random::<f64>()) / mus[chosen];
         let scatters = t < length;
@@ -73,11 +66,7 @@ impl ChromaticSampler for MyChannels {
         let density = |mu: f64| if scatters { mu * at(mu) } else { at(mu) };
         let pdf = mus.iter().map(|&mu| density(mu)).sum::<f64>() / mus.len() as f64;
         for ((weight, channel), &mu) in weights.iter_mut().zip(channels).zip(&mus) {
-            *weight = if scatters {
-                channel.albedo * density(mu) / pdf
-            } else {
-                at(mu) / pdf
-            };
+            *weight = if scatters { channel.albedo * density(mu) / pdf } else { at(mu) / pdf };
         }
         if scatters { t } else { f64::INFINITY }
     }
@@ -85,9 +74,6 @@ impl ChromaticSampler for MyChannels {
 
 #[test]
 fn my_channels_have_the_right_weights() -> Result<(), Box<dyn std::error::Error>> {
-    assert_chromatic(
-        &MyChannels,
-        &Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], 1.7)?,
-    );
+    assert_chromatic(&MyChannels, &Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], 1.7)?);
     Ok(())
 }

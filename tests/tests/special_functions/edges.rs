@@ -24,14 +24,8 @@ fn nan_in_gives_nan_out() {
         clopper_pearson(10, 10, nan).1,
     ];
     let counts = [0, 3, 10, 11].into_iter().flat_map(|k| {
-        let binomial = [
-            binomial_cdf(10, nan, k),
-            binomial_sf(10, nan, k),
-            binomial_two_sided(10, nan, k),
-        ];
-        binomial
-            .into_iter()
-            .chain([poisson_cdf(nan, k), poisson_sf(nan, k), poisson_two_sided(nan, k)])
+        let binomial = [binomial_cdf(10, nan, k), binomial_sf(10, nan, k), binomial_two_sided(10, nan, k)];
+        binomial.into_iter().chain([poisson_cdf(nan, k), poisson_sf(nan, k), poisson_two_sided(nan, k)])
     });
     for (i, value) in values.into_iter().chain(counts).enumerate() {
         assert!(value.is_nan(), "value {i} is {value}");

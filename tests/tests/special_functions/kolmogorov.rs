@@ -24,31 +24,13 @@ fn kolmogorov_smirnov_has_its_ends() {
 
 #[test]
 fn kolmogorov_smirnov_falls_with_distance() {
-    for n in [
-        1,
-        2,
-        3,
-        7,
-        16,
-        17,
-        150,
-        1000,
-        1025,
-        2000,
-        2001,
-        50_000,
-        10_000_000,
-        1_000_000_000,
-    ] {
+    for n in [1, 2, 3, 7, 16, 17, 150, 1000, 1025, 2000, 2001, 50_000, 10_000_000, 1_000_000_000] {
         let mut last = 1.0;
         for step in 0..1000 {
             // To d = 1 or z = 28, where p is below 1e-600.
             let d = (f64::from(step) * 0.028 / (n as f64).sqrt()).clamp(0.0, 1.0);
             let p = ks_two_sided(n, d);
-            assert!(
-                (0.0..=1.0).contains(&p) && p <= last * (1.0 + 1e-10),
-                "n {n} d {d}: {p:e} after {last:e}"
-            );
+            assert!((0.0..=1.0).contains(&p) && p <= last * (1.0 + 1e-10), "n {n} d {d}: {p:e} after {last:e}");
             last = p;
         }
         assert_same(&[(last, 0.0)]);
@@ -59,15 +41,9 @@ fn kolmogorov_smirnov_falls_with_distance() {
 fn kolmogorov_smirnov_is_continuous_across_its_methods() {
     for n in [17, 50, 300, 1024, 1025, 2000, 2001, 100_000, 1_000_000_000] {
         let border = (4.2 / n as f64).sqrt();
-        let (below, above) = (
-            ks_two_sided(n, border * (1.0 - 1e-13)),
-            ks_two_sided(n, border * (1.0 + 1e-13)),
-        );
+        let (below, above) = (ks_two_sided(n, border * (1.0 - 1e-13)), ks_two_sided(n, border * (1.0 + 1e-13)));
         let tolerance = if n <= 2000 { 1e-10 } else { 1e-6 };
-        assert!(
-            distance(below, above) < tolerance,
-            "n {n}: {below:e} and {above:e}"
-        );
+        assert!(distance(below, above) < tolerance, "n {n}: {below:e} and {above:e}");
     }
     for n in 2..17 {
         let (below, above) = (ks_two_sided(n, 0.5_f64.next_down()), ks_two_sided(n, 0.5));

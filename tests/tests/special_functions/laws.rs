@@ -15,10 +15,7 @@ fn chi_square_is_continuous_where_statrs_ends() {
 fn student_t_is_continuous_where_its_methods_meet() {
     for dof in [0.3, 1.0, 7.0, 1e3, 1e6, 1e9] {
         let (below, above) = (student_t_sf(dof, 2.0_f64.next_down()), student_t_sf(dof, 2.0));
-        assert!(
-            distance(below, above) < 1e-12,
-            "dof {dof}: {below:e} and {above:e}"
-        );
+        assert!(distance(below, above) < 1e-12, "dof {dof}: {below:e} and {above:e}");
     }
     // A series in t^2 / (dof + t^2) alone would not end.
     assert!(distance(student_t_sf(1e-30, 1.0), 0.5) < 1e-12);
@@ -32,10 +29,7 @@ fn poisson_sums_its_masses() {
     for mean in [1e-3, 0.5, 1.0, 7.3, 40.0] {
         let (mut mass, mut sum) = (libm::exp(-mean), 0.0);
         for k in 0..60 {
-            assert!(
-                distance(poisson_sf(mean, k) + sum, 1.0) < 1e-13,
-                "mean {mean} k {k}"
-            );
+            assert!(distance(poisson_sf(mean, k) + sum, 1.0) < 1e-13, "mean {mean} k {k}");
             sum += mass;
             assert!(distance(poisson_cdf(mean, k), sum) < 1e-12, "mean {mean} k {k}");
             mass *= mean / (k + 1) as f64;
@@ -53,14 +47,8 @@ fn the_tails_of_counts_are_complements() {
                 let k = (mean + z * spread) as u64;
                 let binomial = binomial_cdf(n, share, k) + binomial_sf(n, share, k + 1);
                 let poisson = poisson_cdf(mean, k) + poisson_sf(mean, k + 1);
-                assert!(
-                    distance(binomial, 1.0) < 1e-12,
-                    "binomial n {n} p {share} k {k}: {binomial}"
-                );
-                assert!(
-                    distance(poisson, 1.0) < 1e-12,
-                    "poisson mean {mean} k {k}: {poisson}"
-                );
+                assert!(distance(binomial, 1.0) < 1e-12, "binomial n {n} p {share} k {k}: {binomial}");
+                assert!(distance(poisson, 1.0) < 1e-12, "poisson mean {mean} k {k}: {poisson}");
             }
         }
     }
@@ -72,14 +60,8 @@ fn clopper_pearson_inverts_the_binomial_at_1e9() {
     for k in [1, 2, 1000, 1_000_000, 500_000_000, 900_000_000] {
         for alpha in [0.05, 1e-9, 1e-100] {
             let (lower, upper) = clopper_pearson(n, k, alpha);
-            assert!(
-                distance(binomial_sf(n, lower, k), 0.5 * alpha) < 1e-9,
-                "lower, k {k} alpha {alpha}"
-            );
-            assert!(
-                distance(binomial_cdf(n, upper, k), 0.5 * alpha) < 1e-9,
-                "upper, k {k} alpha {alpha}"
-            );
+            assert!(distance(binomial_sf(n, lower, k), 0.5 * alpha) < 1e-9, "lower, k {k} alpha {alpha}");
+            assert!(distance(binomial_cdf(n, upper, k), 0.5 * alpha) < 1e-9, "upper, k {k} alpha {alpha}");
         }
     }
     let (lower, upper) = clopper_pearson(n, n - 1, 0.05);

@@ -21,9 +21,5 @@ fn assert_same(pairs: &[(f64, f64)]) {
 /// |a / b - 1|, or infinity if that is NaN.
 fn distance(a: f64, b: f64) -> f64 {
     let distance = (a / b - 1.0).abs();
-    if distance.is_nan() {
-        f64::INFINITY
-    } else {
-        distance
-    }
+    if distance.is_nan() { f64::INFINITY } else { distance }
 }

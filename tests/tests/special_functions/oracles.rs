@@ -27,27 +27,16 @@ struct Check {
 
 impl Check {
     fn new(file: &'static str) -> Self {
-        Self {
-            file,
-            worst: (0.0, String::from("none")),
-            rows: 0,
-            off: Vec::new(),
-        }
+        Self { file, worst: (0.0, String::from("none")), rows: 0, off: Vec::new() }
     }
 
     fn row(&mut self, what: &str, got: f64, wanted: f64, tolerance: f64) {
         // The oracles hold no zero but the limits of Clopper-Pearson, which have to be hit; a NaN is the worst error.
-        let error = if same(got, wanted) {
-            0.0
-        } else {
-            (got / wanted - 1.0).abs()
-        };
+        let error = if same(got, wanted) { 0.0 } else { (got / wanted - 1.0).abs() };
         let error = if error.is_nan() { f64::INFINITY } else { error };
         self.rows += 1;
         if error > tolerance {
-            self.off.push(format!(
-                "{what}: {got:e}, not {wanted:e} (relative error {error:.1e})"
-            ));
+            self.off.push(format!("{what}: {got:e}, not {wanted:e} (relative error {error:.1e})"));
         }
         if error > self.worst.0 {
             self.worst = (error, what.to_owned());
@@ -56,19 +45,9 @@ impl Check {
 
     /// Fails if a row was off, or if not all rows came by.
     fn judge(self, rows: usize) {
-        let Self {
-            file,
-            worst: (error, at),
-            off,
-            ..
-        } = self;
+        let Self { file, worst: (error, at), off, .. } = self;
         println!("{file}: {} values, worst error {error:.1e} at {at}", self.rows);
-        assert!(
-            off.is_empty(),
-            "{} values of {file} are off:\n{}",
-            off.len(),
-            off.join("\n")
-        );
+        assert!(off.is_empty(), "{} values of {file} are off:\n{}", off.len(), off.join("\n"));
         assert_eq!(self.rows, rows, "{file} has another number of values");
     }
 }
@@ -78,12 +57,7 @@ fn chi_square_meets_its_oracle() {
     let mut check = Check::new("chi2_sf.csv");
     for row in rows(include_str!("../../oracles/chi2_sf.csv")) {
         let got = chi_square_sf(number(row[0]), number(row[1]));
-        check.row(
-            &format!("dof {} x {}", row[0], row[1]),
-            got,
-            number(row[2]),
-            1e-10,
-        );
+        check.row(&format!("dof {} x {}", row[0], row[1]), got, number(row[2]), 1e-10);
     }
     check.judge(225);
 }
@@ -106,18 +80,8 @@ fn student_t_meets_its_oracle() {
     for row in rows(include_str!("../../oracles/student_t_sf.csv")) {
         let (dof, t, p) = (number(row[0]), number(row[1]), number(row[2]));
         check.row(&format!("dof {dof} t {t}"), student_t_sf(dof, t), p, 1e-10);
-        check.row(
-            &format!("dof {dof} t -{t}"),
-            student_t_sf(dof, -t),
-            1.0 - p,
-            1e-10,
-        );
-        check.row(
-            &format!("two-sided dof {dof} t {t}"),
-            student_t_two_sided(dof, -t),
-            2.0 * p,
-            1e-10,
-        );
+        check.row(&format!("dof {dof} t -{t}"), student_t_sf(dof, -t), 1.0 - p, 1e-10);
+        check.row(&format!("two-sided dof {dof} t {t}"), student_t_two_sided(dof, -t), 2.0 * p, 1e-10);
     }
     check.judge(462);
 }
@@ -130,12 +94,7 @@ fn binomial_meets_its_oracle() {
         let at = |side| format!("{side} n {n} p {p} k {k}");
         check.row(&at("P_le"), binomial_cdf(n, p, k), number(row[3]), 1e-10);
         check.row(&at("P_ge"), binomial_sf(n, p, k), number(row[4]), 1e-10);
-        check.row(
-            &at("two-sided"),
-            binomial_two_sided(n, p, k),
-            number(row[5]),
-            1e-10,
-        );
+        check.row(&at("two-sided"), binomial_two_sided(n, p, k), number(row[5]), 1e-10);
     }
     check.judge(831);
 }
@@ -146,18 +105,8 @@ fn clopper_pearson_meets_its_oracle() {
     for row in rows(include_str!("../../oracles/clopper_pearson.csv")) {
         let (n, k, alpha) = (count(row[0]), count(row[1]), number(row[2]));
         let (lower, upper) = clopper_pearson(n, k, alpha);
-        check.row(
-            &format!("lower n {n} k {k} alpha {alpha}"),
-            lower,
-            number(row[3]),
-            1e-10,
-        );
-        check.row(
-            &format!("upper n {n} k {k} alpha {alpha}"),
-            upper,
-            number(row[4]),
-            1e-10,
-        );
+        check.row(&format!("lower n {n} k {k} alpha {alpha}"), lower, number(row[3]), 1e-10);
+        check.row(&format!("upper n {n} k {k} alpha {alpha}"), upper, number(row[4]), 1e-10);
     }
     check.judge(366);
 }
@@ -174,12 +123,7 @@ fn kolmogorov_smirnov_meets_its_oracle() {
             "smirnov" => (&mut smirnov, 1e-10),
             _ => (&mut scipy, 1e-4),
         };
-        check.row(
-            &format!("n {} d {}", row[0], row[1]),
-            got,
-            number(row[2]),
-            tolerance,
-        );
+        check.row(&format!("n {} d {}", row[0], row[1]), got, number(row[2]), tolerance);
     }
     exact.judge(127);
     smirnov.judge(6);

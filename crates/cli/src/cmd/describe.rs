@@ -8,11 +8,7 @@ use crate::trouble::Trouble;
 /// Prints all that is known of a name; of each, if it names several things.
 pub(crate) fn describe(args: &Describe) -> Result<u8, Trouble> {
     let entries = entries();
-    let found: Vec<_> = entries
-        .iter()
-        .filter(|entry| entry.name == args.name)
-        .map(text)
-        .collect();
+    let found: Vec<_> = entries.iter().filter(|entry| entry.name == args.name).map(text).collect();
     if found.is_empty() {
         return Err(unknown(&args.name, &entries));
     }
@@ -52,17 +48,9 @@ fn table(fields: &[Field]) -> String {
 }
 
 fn unknown(name: &str, entries: &[Entry]) -> Trouble {
-    let near = entries
-        .iter()
-        .map(|entry| (strsim::damerau_levenshtein(name, &entry.name), &entry.name));
-    let nearest = near
-        .min()
-        .filter(|(distance, _)| *distance <= name.chars().count().div_ceil(3));
-    let hint = nearest
-        .map(|(_, near)| format!("did you mean `{near}`? "))
-        .unwrap_or_default();
+    let near = entries.iter().map(|entry| (strsim::damerau_levenshtein(name, &entry.name), &entry.name));
+    let nearest = near.min().filter(|(distance, _)| *distance <= name.chars().count().div_ceil(3));
+    let hint = nearest.map(|(_, near)| format!("did you mean `{near}`? ")).unwrap_or_default();
     let name = screen::cell(name, 60);
-    Trouble::unusable(format!(
-        "cannot describe `{name}`: there is no such name ({hint}`freepath list` shows all)"
-    ))
+    Trouble::unusable(format!("cannot describe `{name}`: there is no such name ({hint}`freepath list` shows all)"))
 }

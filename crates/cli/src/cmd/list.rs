@@ -10,8 +10,7 @@ use serde_json::{Value, json};
 pub(crate) fn list(args: &List) -> Result<u8, Trouble> {
     let entries = entries();
     if args.json {
-        let line =
-            |entry: &Entry| json!({ "kind": entry.kind, "name": entry.name, "summary": entry.summary() });
+        let line = |entry: &Entry| json!({ "kind": entry.kind, "name": entry.name, "summary": entry.summary() });
         screen::print_json(&Value::Array(entries.iter().map(line).collect()))?;
     } else {
         screen::print(&text(&entries))?;

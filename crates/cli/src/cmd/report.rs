@@ -32,19 +32,9 @@ pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
 }
 
 /// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
-pub(crate) fn page(
-    results: &Results,
-    run: &str,
-    timings: Option<&Timings>,
-    out: &Path,
-) -> Result<(), Trouble> {
-    let options = freepath_report::Options {
-        run: Some(run.to_string()),
-        ..Default::default()
-    };
-    options
-        .write(results, timings, out)
-        .map_err(|why| Trouble::Running(why.to_string()))
+pub(crate) fn page(results: &Results, run: &str, timings: Option<&Timings>, out: &Path) -> Result<(), Trouble> {
+    let options = freepath_report::Options { run: Some(run.to_string()), ..Default::default() };
+    options.write(results, timings, out).map_err(|why| Trouble::Running(why.to_string()))
 }
 
 /// The text of a regular file of bounded length.
@@ -56,9 +46,7 @@ fn text(path: &Path) -> Result<String, String> {
     }
     let mut text = String::new();
     let file = File::open(path).map_err(|why| cannot(&why))?;
-    file.take(MOST_BYTES + 1)
-        .read_to_string(&mut text)
-        .map_err(|why| cannot(&why))?;
+    file.take(MOST_BYTES + 1).read_to_string(&mut text).map_err(|why| cannot(&why))?;
     match text.len() as u64 > MOST_BYTES {
         true => Err(cannot(&format!("it has more than {MOST_BYTES} bytes"))),
         false => Ok(text),
@@ -83,10 +71,6 @@ fn parsed(path: &Path, text: &str) -> Result<Results, String> {
 
 fn from_json<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, String> {
     serde_json::from_str(text).map_err(|why| {
-        format!(
-            "cannot read {} as the results of a run: {}",
-            path.display(),
-            cell(&why.to_string(), 200)
-        )
+        format!("cannot read {} as the results of a run: {}", path.display(), cell(&why.to_string(), 200))
     })
 }

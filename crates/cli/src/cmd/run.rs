@@ -69,9 +69,7 @@ fn cancelled_by_signal() -> Result<Arc<AtomicBool>, Trouble> {
 fn drawn(args: &Run, cases: &[Prepared], cancelled: &AtomicBool) -> Result<Outcome, Trouble> {
     // Zero threads stand for one per CPU.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
-    let pool = pool
-        .build()
-        .map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
+    let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
     let bar = Bar::new(args.quiet);
     let options = Options {
         seed: args.seed,
@@ -79,9 +77,7 @@ fn drawn(args: &Run, cases: &[Prepared], cancelled: &AtomicBool) -> Result<Outco
         progress: &|progress, subject| bar.tell(progress, subject),
         repro: repro(args),
     };
-    let outcome = pool
-        .install(|| run::run(cases, &options))
-        .map_err(|Cancelled| Trouble::Interrupted)?;
+    let outcome = pool.install(|| run::run(cases, &options)).map_err(|Cancelled| Trouble::Interrupted)?;
     match cancelled.load(Ordering::Relaxed) {
         true => Err(Trouble::Interrupted),
         false => Ok(outcome),
@@ -94,17 +90,8 @@ fn repro(args: &Run) -> String {
     words.extend(args.paths.iter().map(|path| quoted(&path.display().to_string())));
     words.push(format!("--seed {}", args.seed));
     words.extend(args.draws.map(|draws| format!("--draws {draws}")));
-    let flags = [
-        (args.quick, "--quick"),
-        (args.thorough, "--thorough"),
-        (args.allow_paths, "--allow-paths"),
-    ];
-    words.extend(
-        flags
-            .iter()
-            .filter(|(set, _)| *set)
-            .map(|(_, flag)| (*flag).to_string()),
-    );
+    let flags = [(args.quick, "--quick"), (args.thorough, "--thorough"), (args.allow_paths, "--allow-paths")];
+    words.extend(flags.iter().filter(|(set, _)| *set).map(|(_, flag)| (*flag).to_string()));
     words.join(" ")
 }
 
@@ -113,9 +100,7 @@ fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Tr
         return screen::print(text);
     }
     let color = color.colors(stdout().is_terminal());
-    screen::print(&table::lines(&outcome.results, color, |of| {
-        !(args.quiet && of.as_expected)
-    }))?;
+    screen::print(&table::lines(&outcome.results, color, |of| !(args.quiet && of.as_expected)))?;
     screen::print(&table::stories(&outcome.results))
 }
 

@@ -43,9 +43,6 @@ mod tests {
 
     #[test]
     fn formulas_are_indented_and_links_are_plain() {
-        assert_eq!(
-            plain("As [`Key`].\n\n```text\nx = y\n```\n"),
-            "As `Key`.\n\n    x = y"
-        );
+        assert_eq!(plain("As [`Key`].\n\n```text\nx = y\n```\n"), "As `Key`.\n\n    x = y");
     }
 }

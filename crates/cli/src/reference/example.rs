@@ -24,20 +24,12 @@ fn value(schema: &Value, name: &str, node: &Value) -> Value {
     }
     let node = resolve(schema, node);
     if let Some(properties) = node["properties"].as_object() {
-        let required = node["required"]
-            .as_array()
-            .into_iter()
-            .flatten()
-            .filter_map(Value::as_str);
+        let required = node["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
         let fields = required.map(|field| (field.to_string(), value(schema, field, &properties[field])));
         return Value::Object(fields.collect::<Map<_, _>>());
     }
     if let Some((first, body, _)) = variants(schema, node).into_iter().next() {
-        return if body.is_null() {
-            json!(first)
-        } else {
-            json!({ first: value(schema, first, body) })
-        };
+        return if body.is_null() { json!(first) } else { json!({ first: value(schema, first, body) }) };
     }
     by_name(name).unwrap_or_else(|| by_type(node))
 }
@@ -86,10 +78,8 @@ fn spaced(value: &Value) -> String {
     match value {
         Value::Object(fields) if fields.is_empty() => "{}".into(),
         Value::Object(fields) => {
-            let fields: Vec<_> = fields
-                .iter()
-                .map(|(name, value)| format!("\"{name}\": {}", spaced(value)))
-                .collect();
+            let fields: Vec<_> =
+                fields.iter().map(|(name, value)| format!("\"{name}\": {}", spaced(value))).collect();
             format!("{{ {} }}", fields.join(", "))
         }
         Value::Array(items) => {

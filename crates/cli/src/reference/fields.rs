@@ -27,9 +27,7 @@ pub(super) fn fields(schema: &Value, body: &Value) -> Vec<Field> {
     };
     let field = |(name, node): (&String, &Value)| {
         let own = node["description"].as_str();
-        let words = own
-            .or_else(|| resolve(schema, node)["description"].as_str())
-            .unwrap_or("");
+        let words = own.or_else(|| resolve(schema, node)["description"].as_str()).unwrap_or("");
         Field {
             name: name.clone(),
             takes: takes(schema, node),
@@ -43,18 +41,11 @@ pub(super) fn fields(schema: &Value, body: &Value) -> Vec<Field> {
 /// A name may be followed by a number or a list instead of an object.
 fn value(schema: &Value, body: &Value) -> Option<Field> {
     let takes = takes(schema, body);
-    (takes != "object").then(|| Field {
-        name: String::new(),
-        takes,
-        default: None,
-        words: String::new(),
-    })
+    (takes != "object").then(|| Field { name: String::new(), takes, default: None, words: String::new() })
 }
 
 fn default(body: &Value, name: &str, node: &Value) -> Option<String> {
-    let required = body["required"]
-        .as_array()
-        .is_some_and(|names| names.iter().any(|other| other == name));
+    let required = body["required"].as_array().is_some_and(|names| names.iter().any(|other| other == name));
     match (&node["default"], required) {
         (_, true) => None,
         (Value::Null, false) => Some("none".into()),
@@ -70,9 +61,7 @@ fn takes(schema: &Value, node: &Value) -> String {
     let node = resolve(schema, node);
     let names = variants(schema, node);
     let kind = match &node["type"] {
-        Value::Array(kinds) => kinds
-            .iter()
-            .find_map(|kind| kind.as_str().filter(|kind| *kind != "null")),
+        Value::Array(kinds) => kinds.iter().find_map(|kind| kind.as_str().filter(|kind| *kind != "null")),
         kind => kind.as_str(),
     };
     match kind {
@@ -82,10 +71,7 @@ fn takes(schema: &Value, node: &Value) -> String {
         }
         Some("integer") => "whole number".into(),
         Some("string") => "text".into(),
-        Some("array") => match node["minItems"]
-            .as_u64()
-            .filter(|n| node["maxItems"].as_u64() == Some(*n))
-        {
+        Some("array") => match node["minItems"].as_u64().filter(|n| node["maxItems"].as_u64() == Some(*n)) {
             Some(n) => format!("[{}; {n}]", takes(schema, &node["items"])),
             None => format!("[{}, ..]", takes(schema, &node["items"])),
         },

@@ -9,11 +9,7 @@ fn every_bad_case_is_shown_at_its_place_and_the_report_stays() {
     assert_eq!(run(&folder, &["run", "--quiet"]).0, 0);
     let before = fs::read(folder.join("reports/results.json")).unwrap();
     put(&folder, "cases/a/typo.json", &GOOD.replace("peak", "peek"));
-    put(
-        &folder,
-        "cases/b/sign.jsonc",
-        &GOOD.replace("4.0", "-4.0 /* no */"),
-    );
+    put(&folder, "cases/b/sign.jsonc", &GOOD.replace("4.0", "-4.0 /* no */"));
     let (code, out, err) = run(&folder, &["run", "--seed", "2"]);
     assert_eq!((code, out.as_str()), (2, ""));
     for part in [
@@ -34,10 +30,7 @@ fn paths_that_hold_no_case_are_refused() {
     let folder = folder("no_case");
     let (code, _, err) = run(&folder, &["run", "absent", "gone"]);
     assert_eq!(code, 2);
-    assert!(
-        err.contains("cannot read absent") && err.contains("cannot read gone"),
-        "{err}"
-    );
+    assert!(err.contains("cannot read absent") && err.contains("cannot read gone"), "{err}");
     put(&folder, "cases/data/volume.npy", "");
     let (code, _, err) = run(&folder, &["run"]);
     assert_eq!(code, 2);
@@ -70,16 +63,10 @@ fn a_filter_keeps_subjects_and_must_match_one() {
     let folder = with_good("filter");
     let (code, _, err) = run(&folder, &["run", "--filter", "no such subject"]);
     assert_eq!(code, 2);
-    assert!(
-        err.contains("no subject matches the filter \"no such subject\""),
-        "{err}"
-    );
+    assert!(err.contains("no subject matches the filter \"no such subject\""), "{err}");
     let (code, out, _) = run(&folder, &["run", "--filter", "cases-*-ratio_tracking"]);
     assert_eq!(code, 0);
-    assert!(
-        out.contains("ratio_tracking") && !out.contains("delta_tracking"),
-        "{out}"
-    );
+    assert!(out.contains("ratio_tracking") && !out.contains("delta_tracking"), "{out}");
 }
 
 #[test]
@@ -88,20 +75,14 @@ fn two_subjects_of_one_id_are_refused() {
     put(&folder, "cases-good.json", GOOD);
     let (code, _, err) = run(&folder, &["run", "cases", "cases-good.json"]);
     assert_eq!(code, 2);
-    assert!(
-        err.contains("both have the id cases-good-free_path-delta_tracking"),
-        "{err}"
-    );
+    assert!(err.contains("both have the id cases-good-free_path-delta_tracking"), "{err}");
 }
 
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_no_case_file() {
     let folder = folder("pipe");
-    let made = std::process::Command::new("mkfifo")
-        .arg(folder.join("case.json"))
-        .status()
-        .unwrap();
+    let made = std::process::Command::new("mkfifo").arg(folder.join("case.json")).status().unwrap();
     assert!(made.success());
     for path in ["case.json", "."] {
         let (code, _, err) = run(&folder, &["run", path]);
@@ -116,10 +97,7 @@ fn results_from_anywhere_are_read_with_care() {
     for (text, part) in [
         ("", "EOF"),
         ("{\"schema_version\": 9}", "its schema_version is 9"),
-        (
-            "{\"schema_version\": 1, \"results\": \"\\u001b[31m\"}",
-            "cannot read r.json as the results of a run",
-        ),
+        ("{\"schema_version\": 1, \"results\": \"\\u001b[31m\"}", "cannot read r.json as the results of a run"),
         (&"[".repeat(100_000), "cannot read r.json as the results of a run"),
     ] {
         put(&folder, "r.json", text);

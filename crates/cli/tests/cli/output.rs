@@ -13,9 +13,7 @@ fn a_run_prints_a_line_per_subject_and_writes_a_report() {
     let lines: Vec<_> = out.lines().collect();
     assert!(lines[0].starts_with("ok  pass  free_path"), "{out}");
     assert!(lines[1].starts_with("ok  pass  transmittance"), "{out}");
-    assert!(
-        out.contains("2 of 2 as expected") && out.contains("seed 1") && out.contains("reports/index.html")
-    );
+    assert!(out.contains("2 of 2 as expected") && out.contains("seed 1") && out.contains("reports/index.html"));
     assert!(lines[..2].iter().all(|line| line.len() <= 100));
     let read = |file: &str| fs::read_to_string(folder.join("reports").join(file)).unwrap();
     let timings: Timings = serde_json::from_str(&read("timings.json")).unwrap();
@@ -23,10 +21,7 @@ fn a_run_prints_a_line_per_subject_and_writes_a_report() {
     assert!(read("index.html").contains(&timings.run));
     let names = contents(&folder.join("reports"));
     let hidden = |path: &std::path::Path| path.file_name().unwrap().to_string_lossy().starts_with('.');
-    assert!(
-        !names.iter().any(|(path, _)| hidden(path)),
-        "nothing is left over"
-    );
+    assert!(!names.iter().any(|(path, _)| hidden(path)), "nothing is left over");
 }
 
 #[test]
@@ -37,10 +32,7 @@ fn json_is_the_results_and_nothing_else() {
     let results: Results = serde_json::from_str(&out).unwrap();
     assert_eq!(results.results.len(), 2);
     assert_eq!(results.repro, "freepath run cases --seed 1");
-    assert_eq!(
-        fs::read_to_string(folder.join("reports/results.json")).unwrap(),
-        out
-    );
+    assert_eq!(fs::read_to_string(folder.join("reports/results.json")).unwrap(), out);
 }
 
 #[test]
@@ -52,18 +44,10 @@ fn the_repro_of_a_subject_gives_the_subject_again() {
     for subject in &all.results {
         let binary = env!("CARGO_BIN_EXE_freepath");
         let command = subject.repro.replacen("freepath", binary, 1) + " --json --out again";
-        let again = std::process::Command::new("sh")
-            .arg("-c")
-            .arg(command)
-            .current_dir(&folder)
-            .output()
-            .unwrap();
+        let again = std::process::Command::new("sh").arg("-c").arg(command).current_dir(&folder).output().unwrap();
         let again: Results = serde_json::from_slice(&again.stdout).unwrap();
         assert_eq!(again.results.len(), 1, "{}", subject.repro);
-        assert_eq!(
-            (&again.results[0].id, &again.results[0].series),
-            (&subject.id, &subject.series)
-        );
+        assert_eq!((&again.results[0].id, &again.results[0].series), (&subject.id, &subject.series));
     }
 }
 
@@ -96,34 +80,19 @@ fn what_is_not_expected_decides_the_exit_code() {
     let folder = folder("codes");
     let short = r#""fault": { "short_majorant": { "factor": 0.5 } }"#;
     let subject = |rest: &str| GOOD.replace(r#"{ "free_path": { "delta_tracking": {} } }"#, rest);
-    let fails = subject(&format!(
-        r#"{{ "free_path": {{ "delta_tracking": {{}} }}, {short}, "expect": "pass" }}"#
-    ));
+    let fails = subject(&format!(r#"{{ "free_path": {{ "delta_tracking": {{}} }}, {short}, "expect": "pass" }}"#));
     put(&folder, "fails.json", &fails);
-    put(
-        &folder,
-        "control.json",
-        &fails.replace(r#", "expect": "pass""#, ""),
-    );
-    let bound = GOOD.replace(
-        r#""draws""#,
-        r#""bias_bound": { "absolute": 1e-9 }, "budget": 30000, "draws""#,
-    );
+    put(&folder, "control.json", &fails.replace(r#", "expect": "pass""#, ""));
+    let bound = GOOD.replace(r#""draws""#, r#""bias_bound": { "absolute": 1e-9 }, "budget": 30000, "draws""#);
     put(&folder, "open.json", &bound);
     let (code, out, _) = run(&folder, &["run", "fails.json"]);
     assert_eq!(code, 1);
-    assert!(
-        out.contains("NO  fail") && out.contains("bound_violated"),
-        "{out}"
-    );
+    assert!(out.contains("NO  fail") && out.contains("bound_violated"), "{out}");
     assert!(out.contains("again: freepath run fails.json --filter"), "{out}");
     assert_eq!(run(&folder, &["run", "control.json"]).0, 0);
     let (code, out, _) = run(&folder, &["run", "open.json"]);
     assert_eq!(code, 4, "{out}");
-    assert!(
-        out.contains("NO  inconclusive") && out.contains("not_enough_draws"),
-        "{out}"
-    );
+    assert!(out.contains("NO  inconclusive") && out.contains("not_enough_draws"), "{out}");
     assert_eq!(run(&folder, &["run", "open.json", "fails.json"]).0, 1);
     let (_, out, _) = run(&folder, &["run", "--quiet", "control.json"]);
     assert_eq!(out, "");
@@ -135,9 +104,7 @@ fn colour_follows_the_flag_and_the_variables() {
     let colored = |args: &[&str], variable: Option<&str>| {
         let mut command = freepath(&folder, &[&["run"], args].concat());
         command.envs(variable.map(|name| (name, "1")));
-        String::from_utf8(command.output().unwrap().stdout)
-            .unwrap()
-            .contains('\u{1b}')
+        String::from_utf8(command.output().unwrap().stdout).unwrap().contains('\u{1b}')
     };
     assert!(!colored(&[], None), "a pipe is no terminal");
     assert!(colored(&["--color", "always"], Some("NO_COLOR")));
@@ -149,11 +116,7 @@ fn colour_follows_the_flag_and_the_variables() {
 fn a_closed_pipe_is_no_trouble() {
     let folder = with_good("closed");
     for args in [&["run"][..], &["run", "--json"], &["list"], &["schema"]] {
-        let mut child = freepath(&folder, args)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut child = freepath(&folder, args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         let ended = child.wait_with_output().unwrap();
         assert_eq!(ended.status.code(), Some(0), "{args:?}");
@@ -193,13 +156,7 @@ fn a_report_can_be_written_again() {
     let (code, out, err) = run(&folder, &["report", "reports/results.json"]);
     assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.contains("reports/index.html"));
-    assert!(
-        fs::read(folder.join("reports/index.html")).unwrap() == page,
-        "the same page"
-    );
-    assert_eq!(
-        run(&folder, &["report", "reports/results.json", "--out", "other"]).0,
-        0
-    );
+    assert!(fs::read(folder.join("reports/index.html")).unwrap() == page, "the same page");
+    assert_eq!(run(&folder, &["report", "reports/results.json", "--out", "other"]).0, 0);
     assert!(folder.join("other/index.html").exists());
 }

@@ -15,25 +15,14 @@ fn listed(folder: &Path) -> Vec<Value> {
 fn every_name_is_listed_with_a_sentence_and_described() {
     let folder = folder("names");
     let listed = listed(&folder);
-    let has = |kind: &str, name: &str| {
-        listed
-            .iter()
-            .any(|entry| entry["kind"] == kind && entry["name"] == name)
-    };
+    let has = |kind: &str, name: &str| listed.iter().any(|entry| entry["kind"] == kind && entry["name"] == name);
     assert!(FreePathSubject::names().iter().all(|name| has("free_path", name)));
-    assert!(
-        TransmittanceSubject::names()
-            .iter()
-            .all(|name| has("transmittance", name))
-    );
+    assert!(TransmittanceSubject::names().iter().all(|name| has("transmittance", name)));
     assert!(ChromaticSubject::NAMES.iter().all(|name| has("chromatic", name)));
     assert!(has("medium", "voxel_grid") && has("fault", "nan_draw") && has("reason", "biased"));
     for entry in &listed {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
-        assert!(
-            entry["summary"].as_str().unwrap().len() > 5,
-            "{name} has no words"
-        );
+        assert!(entry["summary"].as_str().unwrap().len() > 5, "{name} has no words");
         let (code, out, _) = run(&folder, &["describe", name]);
         assert_eq!(code, 0);
         assert!(out.contains(&format!("{name} ({kind})")), "{out}");
@@ -53,11 +42,7 @@ fn example(folder: &Path, kind: &str, name: &str) -> Value {
     let (_, rest) = out.split_once(&format!("{name} ({kind})")).unwrap();
     let (_, rest) = rest.split_once("Example\n").unwrap();
     let line = rest.lines().next().unwrap().trim();
-    let text = if line.starts_with('{') {
-        line.to_string()
-    } else {
-        format!("{{{line}}}")
-    };
+    let text = if line.starts_with('{') { line.to_string() } else { format!("{{{line}}}") };
     serde_json::from_str(&text).unwrap_or_else(|why| panic!("{text}: {why}"))
 }
 
@@ -70,11 +55,7 @@ fn every_example_can_be_run() {
         if kind == "test" || name == "voxel_grid" {
             continue;
         }
-        put(
-            &folder,
-            &format!("cases/{i}.json"),
-            &case(kind, &example(&folder, kind, name)).to_string(),
-        );
+        put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
@@ -85,12 +66,7 @@ fn case(kind: &str, example: &Value) -> Value {
         "title": "An example", "medium": { "constant": { "mu": 1.5, "length": 2.0 } },
         "subjects": [{ "free_path": { "exact": {} } }],
     });
-    let into = |target: &mut Value| {
-        target
-            .as_object_mut()
-            .unwrap()
-            .extend(example.as_object().unwrap().clone())
-    };
+    let into = |target: &mut Value| target.as_object_mut().unwrap().extend(example.as_object().unwrap().clone());
     match kind {
         "medium" | "majorant" => into(&mut case),
         "free_path" | "transmittance" | "chromatic" => case["subjects"] = json!([example]),

@@ -12,17 +12,10 @@ fn ctrl_c_ends_a_run_soon_and_leaves_the_earlier_report() {
     assert!(freepath(&folder, &["run"]).output().unwrap().status.success());
     let before = contents(&folder);
     let mut long = freepath(&folder, &["run", "--draws", "1e11", "--jobs", "2"]);
-    let child = long
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let child = long.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     sleep(Duration::from_millis(700));
     let asked = Instant::now();
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status()
-        .unwrap();
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(kill.success());
     let (code, out, err) = told(&child.wait_with_output().unwrap());
     assert!(asked.elapsed() < Duration::from_secs(10));

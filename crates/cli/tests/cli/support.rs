@@ -57,11 +57,7 @@ pub(crate) fn run(folder: &Path, args: &[&str]) -> (i32, String, String) {
 /// The same of a process that has ended.
 pub(crate) fn told(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(&output.stdout),
-        text(&output.stderr),
-    )
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
 }
 
 /// Every file below `folder`, with its bytes.

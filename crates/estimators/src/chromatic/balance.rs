@@ -66,9 +66,7 @@ impl ChromaticSampler for Balance {
         let n = channels.len();
         let t = mixture::distance(&channels[self.probabilities.draw(n, rng)], rng);
         let terms = channels.iter().enumerate();
-        let pdf: f64 = terms
-            .map(|(k, c)| self.probabilities.of(k, n) * mixture::density(c, t))
-            .sum();
+        let pdf: f64 = terms.map(|(k, c)| self.probabilities.of(k, n) * mixture::density(c, t)).sum();
         for (weight, channel) in weights.iter_mut().zip(channels) {
             *weight = mixture::contribution(channel, t) / pdf;
         }
@@ -76,13 +74,7 @@ impl ChromaticSampler for Balance {
     }
 
     fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
-        block::draws(
-            self,
-            channels,
-            &self.probabilities.all(channels.len()),
-            streams,
-            out,
-        );
+        block::draws(self, channels, &self.probabilities.all(channels.len()), streams, out);
     }
 
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {

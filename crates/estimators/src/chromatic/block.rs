@@ -66,13 +66,7 @@ fn terms(channels: &[Channel], mixture: &[f64]) -> Vec<Term> {
     let term = |(channel, &probability): (&Channel, &f64)| {
         up_to += probability;
         let sigma = mixture::sigma(channel);
-        Term {
-            sigma,
-            mfp: 1.0 / sigma,
-            albedo: channel.albedo,
-            probability,
-            up_to,
-        }
+        Term { sigma, mfp: 1.0 / sigma, albedo: channel.albedo, probability, up_to }
     };
     channels.iter().zip(mixture).map(term).collect()
 }
@@ -86,10 +80,7 @@ struct Drawn {
 impl Drawn {
     #[inline(always)]
     fn at(&self, l: usize) -> Own {
-        Own {
-            probability: self.probability[l],
-            density: self.density[l],
-        }
+        Own { probability: self.probability[l], density: self.density[l] }
     }
 }
 
@@ -171,11 +162,7 @@ impl<'a, H: Heuristic> Block<'a, H> {
                 let scattered = t[l] < f64::INFINITY;
                 let reach = if scattered { t[l] } else { self.length };
                 let survival = math::exp(-term.sigma * reach);
-                density[l] = if scattered {
-                    term.sigma * survival
-                } else {
-                    survival
-                };
+                density[l] = if scattered { term.sigma * survival } else { survival };
             }
         }
     }
@@ -196,9 +183,7 @@ impl<'a, H: Heuristic> Block<'a, H> {
         let mut sum = [0.0; LANES];
         for (term, density) in self.terms.iter().zip(&self.densities) {
             for l in 0..LANES {
-                sum[l] = self
-                    .heuristic
-                    .add(sum[l], term.probability * density[l], drawn.at(l));
+                sum[l] = self.heuristic.add(sum[l], term.probability * density[l], drawn.at(l));
             }
         }
         for (l, sum) in sum.iter_mut().enumerate() {

@@ -91,19 +91,13 @@ pub(super) fn sigma(channel: &Channel) -> f64 {
 
 /// The length that all channels share.
 pub(super) fn length(channels: &[Channel]) -> f64 {
-    channels
-        .first()
-        .map_or(0.0, |channel| channel.extinction.length())
+    channels.first().map_or(0.0, |channel| channel.extinction.length())
 }
 
 /// The distance drawn from `channel`: infinity if it passes the end of the ray. A transparent channel always does.
 pub(super) fn distance(channel: &Channel, rng: &mut dyn rand::Rng) -> f64 {
     let t = exponential(rng) / sigma(channel);
-    if t < channel.extinction.length() {
-        t
-    } else {
-        f64::INFINITY
-    }
+    if t < channel.extinction.length() { t } else { f64::INFINITY }
 }
 
 /// A channel's density at `t` before the end of the ray, or its probability of reaching it if `t` is infinite.
@@ -128,9 +122,7 @@ pub(super) fn contribution(channel: &Channel, t: f64) -> f64 {
 pub(super) fn pdf(channels: &[Channel], probability: &[f64], t: f64) -> f64 {
     let outside = t < 0.0 || (t >= length(channels) && t < f64::INFINITY);
     let terms = channels.iter().zip(probability);
-    let sum = terms
-        .map(|(channel, q)| if *q > 0.0 { q * density(channel, t) } else { 0.0 })
-        .sum();
+    let sum = terms.map(|(channel, q)| if *q > 0.0 { q * density(channel, t) } else { 0.0 }).sum();
     if outside { 0.0 } else { sum }
 }
 
@@ -141,9 +133,7 @@ pub(super) fn claims(
     probability: &[f64],
     inverse: &(dyn Fn(f64) -> f64 + '_),
 ) -> ChromaticClaims {
-    let scales = channels
-        .iter()
-        .flat_map(|c| [1.0, 6.0, 36.0].map(|x| x / sigma(c)));
+    let scales = channels.iter().flat_map(|c| [1.0, 6.0, 36.0].map(|x| x / sigma(c)));
     let mut breaks: Vec<f64> = scales.collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
@@ -174,8 +164,6 @@ pub(super) struct Mixed {
 impl From<Probabilities> for Mixed {
     fn from(probabilities: Probabilities) -> Self {
         let channel_probabilities = probabilities.0;
-        Self {
-            channel_probabilities,
-        }
+        Self { channel_probabilities }
     }
 }

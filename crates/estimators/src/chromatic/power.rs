@@ -88,13 +88,7 @@ impl ChromaticSampler for Power {
     }
 
     fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
-        block::draws(
-            self,
-            channels,
-            &self.probabilities.all(channels.len()),
-            streams,
-            out,
-        );
+        block::draws(self, channels, &self.probabilities.all(channels.len()), streams, out);
     }
 
     fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {

@@ -43,10 +43,7 @@ impl SingleChannel {
     #[must_use]
     pub fn always(channel: usize) -> Self {
         let channel = Some(channel);
-        Self {
-            channel,
-            ..Self::default()
-        }
+        Self { channel, ..Self::default() }
     }
 
     /// Channels drawn with these probabilities, or all alike.
@@ -55,10 +52,7 @@ impl SingleChannel {
     /// If one is negative or NaN, or their sum is not 1.
     pub fn drawn(channel_probabilities: Option<Vec<f64>>) -> Result<Self, ParameterError> {
         let probabilities = Probabilities::new(channel_probabilities)?;
-        Ok(Self {
-            channel: None,
-            probabilities,
-        })
+        Ok(Self { channel: None, probabilities })
     }
 
     /// The probabilities of `n` channels.
@@ -78,12 +72,7 @@ impl TryFrom<Parameters> for SingleChannel {
             None => Self::drawn(parameters.channel_probabilities),
             Some(channel) => {
                 let alone = parameters.channel_probabilities.is_none();
-                parameter::require(
-                    alone,
-                    "channel",
-                    channel,
-                    "absent where channel_probabilities are given",
-                )?;
+                parameter::require(alone, "channel", channel, "absent where channel_probabilities are given")?;
                 Ok(Self::always(channel))
             }
         }

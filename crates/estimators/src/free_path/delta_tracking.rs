@@ -64,31 +64,14 @@ pub(crate) fn expected_lookups(truth: &dyn Medium) -> f64 {
 
 impl FreePathSampler for DeltaTracking {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
-        walk(
-            &Analog { stopped: 1.0 },
-            &Rates::of(medium.majorants()),
-            self.form,
-            medium,
-            rng,
-        )
+        walk(&Analog { stopped: 1.0 }, &Rates::of(medium.majorants()), self.form, medium, rng)
     }
 
     fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        walks(
-            &Analog { stopped: 1.0 },
-            &Rates::of(medium.majorants()),
-            self.form,
-            medium,
-            streams,
-            out,
-        );
+        walks(&Analog { stopped: 1.0 }, &Rates::of(medium.majorants()), self.form, medium, streams, out);
     }
 
     fn claims<'a>(&'a self, truth: &'a dyn Medium) -> FreePathClaims<'a> {
-        FreePathClaims {
-            lookups: Some(expected_lookups(truth)),
-            coleman: true,
-            ..FreePathClaims::default()
-        }
+        FreePathClaims { lookups: Some(expected_lookups(truth)), coleman: true, ..FreePathClaims::default() }
     }
 }

@@ -87,11 +87,7 @@ impl FreePathSampler for RegularTracking {
     fn claims<'a>(&'a self, truth: &'a dyn Medium) -> FreePathClaims<'a> {
         let points = degree_points(self.cells) as f64;
         let entered: f64 = cells(truth).map(|(start, _)| libm::exp(-truth.tau(start))).sum();
-        FreePathClaims {
-            bounded: false,
-            lookups: Some(points * entered),
-            ..FreePathClaims::default()
-        }
+        FreePathClaims { bounded: false, lookups: Some(points * entered), ..FreePathClaims::default() }
     }
 
     fn accepts(&self, medium: &dyn Extinction) -> Result<(), ParameterError> {

@@ -41,13 +41,7 @@ impl BoxSpike {
     /// If base or peak is negative, the length not positive, any number not finite, or the box empty or not within the
     /// ray.
     pub fn new(base: f64, peak: f64, start: f64, end: f64, length: f64) -> Result<Self, ParameterError> {
-        Self::try_from(Parameters {
-            base,
-            peak,
-            start,
-            end,
-            length,
-        })
+        Self::try_from(Parameters { base, peak, start, end, length })
     }
 }
 
@@ -55,13 +49,7 @@ impl TryFrom<Parameters> for BoxSpike {
     type Error = ParameterError;
 
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
-        let Parameters {
-            base,
-            peak,
-            start,
-            end,
-            length,
-        } = parameters;
+        let Parameters { base, peak, start, end, length } = parameters;
         parameter::not_negative("base", base)?;
         parameter::not_negative("peak", peak)?;
         parameter::positive("length", length)?;
@@ -96,11 +84,7 @@ impl Extinction for BoxSpike {
     #[inline(always)]
     fn mu(&self, t: f64) -> f64 {
         let inside = (t >= self.parameters.start) & (t < self.stop);
-        if inside {
-            self.parameters.peak
-        } else {
-            self.parameters.base
-        }
+        if inside { self.parameters.peak } else { self.parameters.base }
     }
     fn majorants(&self) -> &Majorants {
         self.pieces.majorants()
@@ -135,14 +119,8 @@ mod tests {
     fn values_by_hand() {
         let spike = BoxSpike::new(0.5, 8.0, 1.0, 1.25, 3.0).unwrap();
         assert_eq!((spike.mu(1.0), spike.mu(1.25), spike.mu(3.0)), (8.0, 0.5, 0.5));
-        assert_eq!(
-            (spike.tau(1.0), spike.tau(1.25), spike.tau(3.0)),
-            (0.5, 2.5, 3.375)
-        );
-        assert_eq!(
-            (spike.inverse_tau(1.5), spike.breaks()),
-            (1.125, &[1.0, 1.25][..])
-        );
+        assert_eq!((spike.tau(1.0), spike.tau(1.25), spike.tau(3.0)), (0.5, 2.5, 3.375));
+        assert_eq!((spike.inverse_tau(1.5), spike.breaks()), (1.125, &[1.0, 1.25][..]));
         assert_eq!(spike.extrema(0.0, 0.9), (0.5, 0.5));
         assert_eq!(spike.extrema(0.0, 3.0), (0.5, 8.0));
     }
@@ -160,10 +138,7 @@ mod tests {
     #[test]
     fn a_box_off_the_ray_is_refused() {
         let refusal = |start, end| BoxSpike::new(0.5, 8.0, start, end, 3.0).unwrap_err().to_string();
-        assert_eq!(
-            refusal(1.0, 1.0),
-            "end must be beyond the start and within the length, not 1"
-        );
+        assert_eq!(refusal(1.0, 1.0), "end must be beyond the start and within the length, not 1");
         assert!(refusal(1.0, 3.5).ends_with("not 3.5"));
         assert!(refusal(f64::NAN, 1.0).starts_with("start must be"));
     }

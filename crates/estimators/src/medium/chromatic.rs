@@ -37,11 +37,7 @@ impl Chromatic {
     /// If there are none or more than 64 channels, not as many of one as of the other, an extinction is negative, none is
     /// positive, scattering exceeds extinction, the length is not positive, or any number is not finite.
     pub fn new(sigma_t: Vec<f64>, sigma_s: Vec<f64>, length: f64) -> Result<Self, ParameterError> {
-        Self::try_from(Parameters {
-            sigma_t,
-            sigma_s,
-            length,
-        })
+        Self::try_from(Parameters { sigma_t, sigma_s, length })
     }
 }
 
@@ -57,11 +53,7 @@ impl TryFrom<Parameters> for Chromatic {
     type Error = ParameterError;
 
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
-        let Parameters {
-            sigma_t,
-            sigma_s,
-            length,
-        } = &parameters;
+        let Parameters { sigma_t, sigma_s, length } = &parameters;
         parameter::positive("length", *length)?;
         let given = format!("{} of them", sigma_s.len());
         let must_be = "as many as the channels of sigma_t";
@@ -129,10 +121,7 @@ impl ChromaticMedium {
     pub fn channels(&self) -> Vec<Channel<'_>> {
         let mut channels = vec![];
         for (extinction, albedo) in &self.channels {
-            channels.push(Channel {
-                extinction,
-                albedo: *albedo,
-            });
+            channels.push(Channel { extinction, albedo: *albedo });
         }
         channels
     }
@@ -153,15 +142,10 @@ mod tests {
     fn channels_carry_extinction_and_albedo() {
         let medium = Chromatic::new(vec![2.0, 0.5, 0.0], vec![1.5, 0.5, 0.0], 3.0).unwrap();
         let channels = medium.medium.channels();
-        let seen: Vec<(f64, f64)> = channels
-            .iter()
-            .map(|channel| (channel.extinction.mu(1.0), channel.albedo))
-            .collect();
+        let seen: Vec<(f64, f64)> =
+            channels.iter().map(|channel| (channel.extinction.mu(1.0), channel.albedo)).collect();
         assert_eq!(seen, [(2.0, 0.75), (0.5, 1.0), (0.0, 0.0)]);
-        assert_eq!(
-            (medium.medium.length(), channels[0].extinction.length()),
-            (3.0, 3.0)
-        );
+        assert_eq!((medium.medium.length(), channels[0].extinction.length()), (3.0, 3.0));
     }
 
     #[test]
@@ -174,18 +158,9 @@ mod tests {
             refusal(&[1.0, 2.0], &[1.0, 2.5]),
             "sigma_s must be at most the sigma_t of its channel, 2, not 2.5"
         );
-        assert_eq!(
-            refusal(&[1.0], &[]),
-            "sigma_s must be as many as the channels of sigma_t, not 0 of them"
-        );
-        assert_eq!(
-            refusal(&[], &[]),
-            "sigma_t must be from 1 to 64 channels, not 0 of them"
-        );
-        assert_eq!(
-            refusal(&[0.0; 2], &[0.0; 2]),
-            "sigma_t must be positive in at least one channel, not 0"
-        );
+        assert_eq!(refusal(&[1.0], &[]), "sigma_s must be as many as the channels of sigma_t, not 0 of them");
+        assert_eq!(refusal(&[], &[]), "sigma_t must be from 1 to 64 channels, not 0 of them");
+        assert_eq!(refusal(&[0.0; 2], &[0.0; 2]), "sigma_t must be positive in at least one channel, not 0");
         assert!(refusal(&[f64::NAN], &[0.0]).ends_with("not NaN"));
         assert!(refusal(&[1.0; 65], &[0.0; 65]).ends_with("not 65 of them"));
     }

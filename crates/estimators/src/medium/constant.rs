@@ -40,14 +40,8 @@ impl TryFrom<Parameters> for Constant {
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
         parameter::not_negative("mu", parameters.mu)?;
         parameter::positive("length", parameters.length)?;
-        let unbounded = Self {
-            parameters,
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 

@@ -37,11 +37,7 @@ impl Exponential {
     /// If mu0 is negative, the scale height 0, the length not positive, any of them not finite, or if extinction grows
     /// by more than exp(700).
     pub fn new(mu0: f64, scale_height: f64, length: f64) -> Result<Self, ParameterError> {
-        Self::try_from(Parameters {
-            mu0,
-            scale_height,
-            length,
-        })
+        Self::try_from(Parameters { mu0, scale_height, length })
     }
 }
 
@@ -49,11 +45,7 @@ impl TryFrom<Parameters> for Exponential {
     type Error = ParameterError;
 
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
-        let Parameters {
-            mu0,
-            scale_height,
-            length,
-        } = parameters;
+        let Parameters { mu0, scale_height, length } = parameters;
         parameter::not_negative("mu0", mu0)?;
         parameter::positive("length", length)?;
         let per_height = 1.0 / parameter::finite("scale_height", scale_height)?;
@@ -63,15 +55,8 @@ impl TryFrom<Parameters> for Exponential {
         let bounded = -length * per_height <= 700.0 && last.is_finite();
         let must_be = "such that extinction grows by at most exp(700) and stays finite";
         parameter::require(bounded, "scale_height", scale_height, must_be)?;
-        let unbounded = Self {
-            parameters,
-            per_height,
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, per_height, majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 
@@ -100,11 +85,7 @@ impl Medium for Exponential {
         self.parameters.mu0 * (-height * libm::expm1(-t / height))
     }
     fn inverse_tau(&self, depth: f64) -> f64 {
-        let Parameters {
-            mu0,
-            scale_height,
-            length,
-        } = self.parameters;
+        let Parameters { mu0, scale_height, length } = self.parameters;
         extinction::invert(depth, self.tau(length), || {
             let t = -scale_height * libm::log1p(-(depth / mu0) / scale_height);
             if t < length { t } else { length }

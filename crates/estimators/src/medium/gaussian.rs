@@ -41,13 +41,7 @@ impl Gaussian {
     /// # Errors
     /// If peak or base is negative, width or length not positive, or any of them not finite.
     pub fn new(peak: f64, center: f64, width: f64, length: f64, base: f64) -> Result<Self, ParameterError> {
-        Self::try_from(Parameters {
-            peak,
-            center,
-            width,
-            length,
-            base,
-        })
+        Self::try_from(Parameters { peak, center, width, length, base })
     }
 }
 
@@ -58,23 +52,11 @@ impl TryFrom<Parameters> for Gaussian {
         parameter::not_negative("peak", parameters.peak)?;
         parameter::finite("center", parameters.center)?;
         let per_width = 1.0 / parameter::positive("width", parameters.width)?;
-        parameter::require(
-            per_width.is_finite(),
-            "width",
-            parameters.width,
-            "a normal number",
-        )?;
+        parameter::require(per_width.is_finite(), "width", parameters.width, "a normal number")?;
         parameter::positive("length", parameters.length)?;
         parameter::not_negative("base", parameters.base)?;
-        let unbounded = Self {
-            parameters,
-            per_width,
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, per_width, majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 
@@ -100,32 +82,15 @@ impl Extinction for Gaussian {
 
 impl Medium for Gaussian {
     fn tau(&self, t: f64) -> f64 {
-        let Parameters {
-            peak,
-            center,
-            width,
-            base,
-            ..
-        } = self.parameters;
+        let Parameters { peak, center, width, base, .. } = self.parameters;
         let q = width * SQRT_2;
         base * t + peak * width * FRAC_PI_2.sqrt() * (libm::erf((t - center) / q) + libm::erf(center / q))
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let (left, right) = (self.mu(a), self.mu(b));
-        let (low, high) = if left < right {
-            (left, right)
-        } else {
-            (right, left)
-        };
+        let (low, high) = if left < right { (left, right) } else { (right, left) };
         let inside = a <= self.parameters.center && self.parameters.center <= b;
-        (
-            low,
-            if inside {
-                self.parameters.base + self.parameters.peak
-            } else {
-                high
-            },
-        )
+        (low, if inside { self.parameters.base + self.parameters.peak } else { high })
     }
 }
 

@@ -49,15 +49,8 @@ impl TryFrom<Parameters> for Linear {
             to: parameter::not_negative("mu1", parameters.mu1)?,
             width: parameter::positive("length", parameters.length)?,
         };
-        let unbounded = Self {
-            parameters,
-            ramp,
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, ramp, majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 

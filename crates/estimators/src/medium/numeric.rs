@@ -75,17 +75,9 @@ pub fn numeric(
     for &t in &breaks {
         look_up(&mu, majorant, t)?;
     }
-    let unbounded = Numeric {
-        mu: Arc::new(mu),
-        length,
-        breaks,
-        panels,
-        majorants: Majorants::constant(majorant, length),
-    };
-    Ok(Numeric {
-        majorants: unbounded.majorants.clone().measured(&unbounded),
-        ..unbounded
-    })
+    let unbounded =
+        Numeric { mu: Arc::new(mu), length, breaks, panels, majorants: Majorants::constant(majorant, length) };
+    Ok(Numeric { majorants: unbounded.majorants.clone().measured(&unbounded), ..unbounded })
 }
 
 fn check_breaks(breaks: &[f64], length: f64) -> Result<(), ParameterError> {
@@ -204,10 +196,7 @@ mod tests {
     fn what_cannot_be_integrated_is_refused() {
         let noise = |t: f64| (t.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 12) as f64 / 2f64.powi(52);
         assert!(refusal(noise, &[]).starts_with("mu must be smooth between the breaks"));
-        assert_eq!(
-            refusal(|_| 1.0, &[2.0, 1.0]),
-            "breaks must be increasing inside (0, 3), not 1"
-        );
+        assert_eq!(refusal(|_| 1.0, &[2.0, 1.0]), "breaks must be increasing inside (0, 3), not 1");
         assert!(refusal(|_| 1.0, &[3.0]).ends_with("not 3"));
     }
 }

@@ -59,13 +59,8 @@ impl Panels {
             }
         }
         let total: f64 = first.iter().map(|panel| panel.value).sum();
-        let mut halving = Halving {
-            look,
-            length,
-            tolerance: 1e-13 * total / length,
-            most: BUDGET + first.len(),
-            done: vec![],
-        };
+        let mut halving =
+            Halving { look, length, tolerance: 1e-13 * total / length, most: BUDGET + first.len(), done: vec![] };
         for panel in first {
             halving.refine(panel, 30)?;
         }
@@ -116,13 +111,7 @@ impl Panel {
         let steps = mu.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         let least = pieces::extrema(mu.into_iter()).0 - pieces::extrema(steps).1;
         let (romberg, value) = (romberg(&mu, b - a), gauss_checked(look, a, b)?);
-        Ok(Self {
-            a,
-            b,
-            value,
-            error: (value - romberg).abs(),
-            least: if least > 0.0 { least } else { 0.0 },
-        })
+        Ok(Self { a, b, value, error: (value - romberg).abs(), least: if least > 0.0 { least } else { 0.0 } })
     }
 }
 
@@ -168,9 +157,7 @@ struct Halving<'a> {
 
 impl Halving<'_> {
     fn refine(&mut self, panel: Panel, depth: u32) -> Result<(), ParameterError> {
-        let Panel {
-            a, b, value, error, ..
-        } = panel;
+        let Panel { a, b, value, error, .. } = panel;
         let rough = error > self.tolerance * (b - a) && error > 4e-15 * value;
         let m = 0.5 * (a + b);
         if !rough || depth == 0 || self.done.len() >= self.most || !(a < m && m < b) {

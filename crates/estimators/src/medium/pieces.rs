@@ -48,11 +48,7 @@ impl Depths {
         let mut at = vec![0.0];
         for piece in pieces {
             let next: f64 = sum + piece;
-            lost += if sum >= piece {
-                (sum - next) + piece
-            } else {
-                (piece - next) + sum
-            };
+            lost += if sum >= piece { (sum - next) + piece } else { (piece - next) + sum };
             sum = next;
             last = if sum + lost > last { sum + lost } else { last };
             at.push(last);

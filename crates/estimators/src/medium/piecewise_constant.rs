@@ -53,15 +53,8 @@ impl TryFrom<Parameters> for PiecewiseConstant {
         pieces::check_values(values, edges.len() - 1, "one fewer than the edges")?;
         let widths = edges.windows(2).map(|edge| edge[1] - edge[0]);
         let depths = Depths::new(widths.zip(values).map(|(width, mu)| mu * width));
-        let unbounded = Self {
-            parameters,
-            depths,
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, depths, majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 
@@ -124,10 +117,7 @@ mod tests {
     fn values_by_hand() {
         let medium = steps();
         assert_eq!((medium.mu(0.5), medium.mu(1.5), medium.mu(3.5)), (0.0, 4.0, 0.5));
-        assert_eq!(
-            (medium.tau(0.5), medium.tau(1.0), medium.tau(3.5)),
-            (1.0, 1.0, 3.75)
-        );
+        assert_eq!((medium.tau(0.5), medium.tau(1.0), medium.tau(3.5)), (1.0, 1.0, 3.75));
         assert_eq!((medium.inverse_tau(0.5), medium.inverse_tau(2.0)), (0.25, 1.75));
         assert_eq!(medium.breaks(), [0.5, 1.5, 2.0]);
     }
@@ -152,22 +142,10 @@ mod tests {
             let medium = PiecewiseConstant::new(edges.to_vec(), values.to_vec());
             medium.unwrap_err().to_string()
         };
-        assert_eq!(
-            refusal(&[0.1, 1.0], &[1.0]),
-            "edges must be 0 at the start, not 0.1"
-        );
-        assert_eq!(
-            refusal(&[0.0, 1.0, 1.0], &[1.0, 2.0]),
-            "edges must be finite and increasing from 0, not 1"
-        );
-        assert_eq!(
-            refusal(&[0.0, 1.0], &[1.0, 2.0]),
-            "values must be one fewer than the edges, not 2 of them"
-        );
-        assert_eq!(
-            refusal(&[0.0, 1.0], &[-3.0]),
-            "values must be finite and not negative, not -3"
-        );
+        assert_eq!(refusal(&[0.1, 1.0], &[1.0]), "edges must be 0 at the start, not 0.1");
+        assert_eq!(refusal(&[0.0, 1.0, 1.0], &[1.0, 2.0]), "edges must be finite and increasing from 0, not 1");
+        assert_eq!(refusal(&[0.0, 1.0], &[1.0, 2.0]), "values must be one fewer than the edges, not 2 of them");
+        assert_eq!(refusal(&[0.0, 1.0], &[-3.0]), "values must be finite and not negative, not -3");
         assert!(refusal(&[0.0], &[]).starts_with("edges must be from 2 to 1000001 numbers"));
         assert!(refusal(&[0.0, f64::NAN], &[1.0]).ends_with("not NaN"));
     }

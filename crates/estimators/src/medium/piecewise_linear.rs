@@ -52,11 +52,7 @@ impl PiecewiseLinear {
 /// The piece between node `k` and the next.
 #[inline(always)]
 fn ramp(Parameters { nodes, values }: &Parameters, k: usize) -> Ramp {
-    Ramp {
-        from: values[k],
-        to: values[k + 1],
-        width: nodes[k + 1] - nodes[k],
-    }
+    Ramp { from: values[k], to: values[k + 1], width: nodes[k + 1] - nodes[k] }
 }
 
 impl TryFrom<Parameters> for PiecewiseLinear {
@@ -72,10 +68,7 @@ impl TryFrom<Parameters> for PiecewiseLinear {
             parameters,
             majorants: Majorants::default(),
         };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 
@@ -141,10 +134,7 @@ mod tests {
     fn values_by_hand() {
         let medium = tent();
         assert_eq!((medium.mu(0.5), medium.mu(1.0), medium.mu(2.0)), (1.0, 2.0, 1.0));
-        assert_eq!(
-            (medium.tau(0.5), medium.tau(1.0), medium.tau(2.0)),
-            (0.25, 1.0, 2.5)
-        );
+        assert_eq!((medium.tau(0.5), medium.tau(1.0), medium.tau(2.0)), (0.25, 1.0, 2.5));
         assert_eq!((medium.tau(3.5), medium.mu(3.5)), (3.0, 0.0));
         assert_eq!((medium.inverse_tau(0.25), medium.inverse_tau(2.5)), (0.5, 2.0));
         assert!(medium.inverse_tau(3.0).is_infinite());
@@ -161,9 +151,6 @@ mod tests {
     #[test]
     fn as_many_values_as_nodes_are_needed() {
         let refusal = PiecewiseLinear::new(vec![0.0, 1.0], vec![1.0]).unwrap_err();
-        assert_eq!(
-            refusal.to_string(),
-            "values must be as many as the nodes, not 1 of them"
-        );
+        assert_eq!(refusal.to_string(), "values must be as many as the nodes, not 1 of them");
     }
 }

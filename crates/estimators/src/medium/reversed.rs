@@ -61,10 +61,7 @@ impl View {
             .map(|((start, _), &mu_bar)| (mirror(length, start), mu_bar))
             .collect();
         segments.reverse();
-        Ok(Self {
-            majorants: view::majorants(&unbounded, segments.into_iter())?,
-            ..unbounded
-        })
+        Ok(Self { majorants: view::majorants(&unbounded, segments.into_iter())?, ..unbounded })
     }
 }
 
@@ -116,11 +113,7 @@ impl Medium for View {
     fn inverse_tau(&self, depth: f64) -> f64 {
         extinction::invert(depth, self.total, || {
             let rest = self.inner.inverse_tau(self.total - depth);
-            if rest < self.length {
-                self.length - rest
-            } else {
-                0.0
-            }
+            if rest < self.length { self.length - rest } else { 0.0 }
         })
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
@@ -155,10 +148,7 @@ mod tests {
         assert_eq!(view.breaks(), [2.5]);
         assert_eq!((view.mu(2.4), view.mu(2.5), view.mu(3.5)), (0.5, 4.0, 4.0));
         assert_eq!(view.extrema(0.0, 2.4), (0.5, 0.5));
-        assert_eq!(
-            (view.majorants().mu_bar(), view.majorants().mu_min()),
-            (&[4.0][..], &[0.5][..])
-        );
+        assert_eq!((view.majorants().mu_bar(), view.majorants().mu_min()), (&[4.0][..], &[0.5][..]));
         assert_eq!(view.majorants().mu_mean(), [5.25 / 3.5]);
     }
 

@@ -105,10 +105,7 @@ impl View {
             let goes_on = end < to;
             (if goes_on { shift(from, end) } else { to - from }, mu_bar)
         });
-        Ok(Self {
-            majorants: view::majorants(&unbounded, segments)?,
-            ..unbounded
-        })
+        Ok(Self { majorants: view::majorants(&unbounded, segments)?, ..unbounded })
     }
 
     #[inline(always)]
@@ -189,10 +186,7 @@ mod tests {
         let view = View::new(1.0, 2.5, &grey(inner)).unwrap();
         assert_eq!((view.length(), view.mu(1.0), view.tau(0.0)), (1.5, 1.5, 0.0));
         assert!((view.tau(1.0) - 1.25).abs() < 1e-15 && (view.inverse_tau(1.25) - 1.0).abs() < 1e-15);
-        assert_eq!(
-            (view.majorants().ends(), view.majorants().mu_bar()),
-            (&[1.5][..], &[2.0][..])
-        );
+        assert_eq!((view.majorants().ends(), view.majorants().mu_bar()), (&[1.5][..], &[2.0][..]));
     }
 
     #[test]

@@ -52,13 +52,7 @@ impl Sinusoid {
         length: f64,
         phase: f64,
     ) -> Result<Self, ParameterError> {
-        Self::try_from(Parameters {
-            mean,
-            amplitude,
-            frequency,
-            length,
-            phase,
-        })
+        Self::try_from(Parameters { mean, amplitude, frequency, length, phase })
     }
 
     /// mu where the sine is `wave`.
@@ -85,22 +79,10 @@ impl TryFrom<Parameters> for Sinusoid {
         let frequency = parameter::positive("frequency", parameters.frequency)?;
         let length = parameter::positive("length", parameters.length)?;
         let must_be = "such that there are at most 1e9 periods";
-        parameter::require(
-            frequency * length <= MOST_PERIODS,
-            "frequency",
-            frequency,
-            must_be,
-        )?;
+        parameter::require(frequency * length <= MOST_PERIODS, "frequency", frequency, must_be)?;
         let turns = parameter::finite("phase", parameters.phase)? / TAU;
-        let unbounded = Self {
-            parameters,
-            turns: turns - turns.round(),
-            majorants: Majorants::default(),
-        };
-        Ok(Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        })
+        let unbounded = Self { parameters, turns: turns - turns.round(), majorants: Majorants::default() };
+        Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
 
@@ -128,12 +110,7 @@ impl Extinction for Sinusoid {
 
 impl Medium for Sinusoid {
     fn tau(&self, t: f64) -> f64 {
-        let Parameters {
-            mean,
-            amplitude,
-            frequency,
-            ..
-        } = self.parameters;
+        let Parameters { mean, amplitude, frequency, .. } = self.parameters;
         let turns = frequency * t;
         let half = PI * (turns - 2.0 * (0.5 * turns).round()); // whole turns of the half angle drop out
         let wave = libm::sin(half + TAU * self.turns) * libm::sin(half);
@@ -141,13 +118,7 @@ impl Medium for Sinusoid {
     }
     /// tau(t) / mean stays within amplitude / (pi frequency) of t, which brackets the root.
     fn inverse_tau(&self, depth: f64) -> f64 {
-        let Parameters {
-            mean,
-            amplitude,
-            frequency,
-            length,
-            ..
-        } = self.parameters;
+        let Parameters { mean, amplitude, frequency, length, .. } = self.parameters;
         extinction::invert(depth, self.tau(length), || {
             let (t, sway) = (depth / mean, amplitude / (PI * frequency));
             let (low, high) = (t - sway - 1e-14 * t, t + sway + 1e-14 * t);
@@ -160,10 +131,7 @@ impl Medium for Sinusoid {
         let (low, high) = super::pieces::extrema([self.mu(a), self.mu(b)].into_iter());
         let trough = self.passes(-0.25, a, b);
         let crest = self.passes(0.25, a, b);
-        (
-            if trough { self.at_wave(-1.0) } else { low },
-            if crest { self.at_wave(1.0) } else { high },
-        )
+        (if trough { self.at_wave(-1.0) } else { low }, if crest { self.at_wave(1.0) } else { high })
     }
 }
 

@@ -66,34 +66,16 @@ pub(crate) fn moments(truth: &dyn Medium, rates: &Rates, start: f64) -> [f64; 6]
 
 /// (1 - x)^k - 1, with all its digits for small x.
 fn growth(x: f64, k: f64) -> f64 {
-    if x < 0.5 {
-        libm::expm1(k * libm::log1p(-x))
-    } else {
-        libm::pow(1.0 - x, k) - 1.0
-    }
+    if x < 0.5 { libm::expm1(k * libm::log1p(-x)) } else { libm::pow(1.0 - x, k) - 1.0 }
 }
 
 impl TransmittanceEstimator for RatioTracking {
     fn estimate(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> f64 {
-        walk(
-            &Ratio { start: 1.0 },
-            &Rates::of(medium.majorants()),
-            Form::Carry,
-            medium,
-            rng,
-        )
-        .weight
+        walk(&Ratio { start: 1.0 }, &Rates::of(medium.majorants()), Form::Carry, medium, rng).weight
     }
 
     fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        walks(
-            &Ratio { start: 1.0 },
-            &Rates::of(medium.majorants()),
-            Form::Carry,
-            medium,
-            streams,
-            out,
-        );
+        walks(&Ratio { start: 1.0 }, &Rates::of(medium.majorants()), Form::Carry, medium, streams, out);
     }
 
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {

@@ -148,11 +148,7 @@ impl TransmittanceEstimator for RayMarching {
             moments,
             range: Some((0.0, 1.0)),
             lookups: (self.rule != MarchingRule::Midpoint).then_some(self.steps.get() as f64),
-            order: smooth.then_some(if self.rule == MarchingRule::Stratified {
-                3.0
-            } else {
-                2.0
-            }),
+            order: smooth.then_some(if self.rule == MarchingRule::Stratified { 3.0 } else { 2.0 }),
             ..TransmittanceClaims::default()
         }
     }
@@ -178,12 +174,8 @@ impl RayMarching {
             MarchingRule::Comb => {
                 let jumps = comb.jumps(truth.breaks());
                 let depths = RefCell::new(HashMap::new());
-                let depth = |v: f64| {
-                    *depths
-                        .borrow_mut()
-                        .entry(v.to_bits())
-                        .or_insert_with(|| comb.depth(truth, || v))
-                };
+                let depth =
+                    |v: f64| *depths.borrow_mut().entry(v.to_bits()).or_insert_with(|| comb.depth(truth, || v));
                 let moment = |k: f64| integrate(&|v| libm::exp(-k * depth(v)), 0.0, 1.0, &jumps).value;
                 let lookups = 30 * (jumps.len() + 1) * comb.steps;
                 (lookups <= MOST_LOOKUPS).then(|| std::array::from_fn(|i| moment(power(i))))

@@ -75,11 +75,7 @@ impl ResidualRatioTracking {
             let (above, below) = ((mu_bar - control).abs(), control - mu_min);
             let rate = if above > below { above } else { below };
             let rounding = 8.0 * f64::EPSILON * mu_bar;
-            if rate <= rounding {
-                (rounding, mu_bar)
-            } else {
-                (rate, control)
-            }
+            if rate <= rounding { (rounding, mu_bar) } else { (rate, control) }
         };
         let (rate, control): (Vec<f64>, Vec<f64>) = bounds.zip(majorants.mu_mean()).map(segment).unzip();
         Rates::new(majorants.ends(), rate, control)
@@ -96,9 +92,7 @@ impl TryFrom<Parameters> for ResidualRatioTracking {
 
 impl From<ResidualRatioTracking> for Parameters {
     fn from(estimator: ResidualRatioTracking) -> Self {
-        Self {
-            control: estimator.control,
-        }
+        Self { control: estimator.control }
     }
 }
 

@@ -25,21 +25,13 @@ impl<'a> Rates<'a> {
         rate: impl Into<Cow<'a, [f64]>>,
         control: impl Into<Cow<'a, [f64]>>,
     ) -> Self {
-        Self {
-            ends: ends.into(),
-            rate: rate.into(),
-            mfp: vec![],
-            control: control.into(),
-        }
+        Self { ends: ends.into(), rate: rate.into(), mfp: vec![], control: control.into() }
     }
 
     /// The same with every quotient 1 / rate kept: worth it for a block of walks, not for one.
     #[must_use]
     pub fn tabulated(&self) -> Self {
-        Self {
-            mfp: (0..self.len()).map(|k| self.mfp(k)).collect(),
-            ..self.clone()
-        }
+        Self { mfp: (0..self.len()).map(|k| self.mfp(k)).collect(), ..self.clone() }
     }
 
     /// How many segments.
@@ -95,17 +87,13 @@ impl<'a> Rates<'a> {
     /// The integral of the control over the whole length.
     #[must_use]
     pub fn control_depth(&self) -> f64 {
-        self.segments()
-            .map(|(start, end, _, control)| control * (end - start))
-            .sum()
+        self.segments().map(|(start, end, _, control)| control * (end - start)).sum()
     }
 
     /// The integral of the rate over the whole length: the mean of the Poisson count of tentative collisions of a walk
     /// that never stops.
     #[must_use]
     pub fn depth(&self) -> f64 {
-        self.segments()
-            .map(|(start, end, rate, _)| rate * (end - start))
-            .sum()
+        self.segments().map(|(start, end, rate, _)| rate * (end - start)).sum()
     }
 }

@@ -29,28 +29,12 @@ pub fn walks<R: CollisionRule>(
             let mut lanes = streams.key().lanes();
             simd::dispatch(
                 #[inline(always)]
-                || {
-                    Flight {
-                        rule,
-                        rates,
-                        form,
-                        medium,
-                        uniforms: &mut lanes,
-                    }
-                    .run(out)
-                },
+                || Flight { rule, rates, form, medium, uniforms: &mut lanes }.run(out),
             );
         }
         Some(script) => {
             let mut lanes = ScriptedLanes::new(streams.key(), script);
-            Flight {
-                rule,
-                rates,
-                form,
-                medium,
-                uniforms: &mut lanes,
-            }
-            .run(out);
+            Flight { rule, rates, form, medium, uniforms: &mut lanes }.run(out);
         }
     }
 }
@@ -164,8 +148,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
         while tile.len > 0 {
             self.fly(&mut tile, pass, out);
             let len = tile.len;
-            self.medium
-                .mu_tile(&tile.t.as_flattened()[..len], &mut mu.as_flattened_mut()[..len]);
+            self.medium.mu_tile(&tile.t.as_flattened()[..len], &mut mu.as_flattened_mut()[..len]);
             pass += 1;
             self.collide(&mut tile, &mu, pass, &mut started, out);
             self.refill(&mut tile, pass, &mut started, out.rows);
@@ -246,13 +229,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
             }
             let (t, mfp, control, state) = (&tile.t[r], &tile.mfp[r], &tile.control[r], &mut tile.state[r]);
             for l in 0..LANES {
-                let at = Collision {
-                    t: t[l],
-                    mu: mu[r][l],
-                    mfp: mfp[l],
-                    control: control[l],
-                    u: u[l],
-                };
+                let at = Collision { t: t[l], mu: mu[r][l], mfp: mfp[l], control: control[l], u: u[l] };
                 let (next, stop) = self.rule.collide(state[l], at);
                 state[l] = next;
                 set[r] |= if stop { 1 << l } else { 0 };

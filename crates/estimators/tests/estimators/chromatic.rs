@@ -33,9 +33,7 @@ fn all() -> Vec<(Vec<Constant>, [f64; 3], Vec<AnyChromatic>)> {
 
 fn channels<'a>(media: &'a [Constant], albedo: &[f64]) -> Vec<Channel<'a>> {
     let pairs = media.iter().zip(albedo);
-    pairs
-        .map(|(extinction, &albedo)| Channel { extinction, albedo })
-        .collect()
+    pairs.map(|(extinction, &albedo)| Channel { extinction, albedo }).collect()
 }
 
 fn streams(block: u64) -> Streams {
@@ -55,11 +53,7 @@ fn z(x: &[f64], mean: f64) -> f64 {
     let found = x.iter().sum::<f64>() / n;
     let variance = x.iter().map(|x| (x - found) * (x - found)).sum::<f64>() / n;
     let error = (variance / n).sqrt();
-    if (found - mean).abs() < 1e-12 {
-        0.0
-    } else {
-        (found - mean) / error
-    }
+    if (found - mean).abs() < 1e-12 { 0.0 } else { (found - mean) / error }
 }
 
 #[test]
@@ -72,14 +66,7 @@ fn means_and_second_moments_are_as_claimed_in_every_channel() {
             for (k, medium) in media.iter().enumerate() {
                 let part = |surface: bool, power: i32| -> Vec<f64> {
                     let rows = draws.t.iter().zip(&draws.channels[k]);
-                    rows.map(|(t, w)| {
-                        if t.is_infinite() == surface {
-                            w.powi(power)
-                        } else {
-                            0.0
-                        }
-                    })
-                    .collect()
+                    rows.map(|(t, w)| if t.is_infinite() == surface { w.powi(power) } else { 0.0 }).collect()
                 };
                 let beam = libm::exp(-medium.mu(0.0) * medium.length());
                 let scatter = claims.scatter_moments.as_ref().unwrap()[k];
@@ -162,12 +149,7 @@ fn extreme_words_give_weights_that_are_numbers() {
                 let streams = streams(2).scripted(Script { prefix, repeat });
                 let mut draws = Draws::new(3).with_t().with_channels(3);
                 sampler.sample_block(&channels, &streams, &mut draws);
-                assert!(
-                    draws
-                        .t
-                        .iter()
-                        .all(|&t| (t >= 0.0 && t < 1.6) || t == f64::INFINITY)
-                );
+                assert!(draws.t.iter().all(|&t| (t >= 0.0 && t < 1.6) || t == f64::INFINITY));
                 let mut weights = draws.channels.iter().flatten();
                 assert!(weights.all(|&w| w >= 0.0 && w < f64::INFINITY), "{sampler:?}");
             }
@@ -177,11 +159,7 @@ fn extreme_words_give_weights_that_are_numbers() {
 
 #[test]
 fn bad_parameters_and_channels_are_refused_by_name() {
-    let error = |json: &str| {
-        serde_json::from_str::<AnyChromatic>(json)
-            .unwrap_err()
-            .to_string()
-    };
+    let error = |json: &str| serde_json::from_str::<AnyChromatic>(json).unwrap_err().to_string();
     assert!(error(r#"{"balance": {"channel_probabilities": [0.5, 0.6]}}"#).contains("of sum 1, not 1.1"));
     assert!(error(r#"{"power": {"channel_probabilities": [1.0, 0.0]}}"#).contains("finite and positive"));
     assert!(error(r#"{"single_channel": {"channel_probabilities": [-1, 2]}}"#).contains("not negative"));
@@ -196,16 +174,10 @@ fn bad_parameters_and_channels_are_refused_by_name() {
     assert_eq!(refused(r#"{"single_channel": {"channel": 3}}"#).name(), "channel");
     assert_eq!(refused(r#"{"single_channel": {}}"#).name(), "channel");
     let two = refused(r#"{"balance": {"channel_probabilities": [0.5, 0.5]}}"#).to_string();
-    assert_eq!(
-        two,
-        "channel_probabilities must be one for each of the 3 channels, not 2"
-    );
+    assert_eq!(two, "channel_probabilities must be one for each of the 3 channels, not 2");
     let balance = named(r#"{"balance": {}}"#);
     assert_eq!(balance.accepts(&[]).unwrap_err().name(), "channels");
-    assert_eq!(
-        balance.accepts(&channels(&uneven, &[0.5; 2])).unwrap_err().name(),
-        "channels"
-    );
+    assert_eq!(balance.accepts(&channels(&uneven, &[0.5; 2])).unwrap_err().name(), "channels");
     for sampler in all().into_iter().flat_map(|(_, _, samplers)| samplers) {
         let json = serde_json::to_string(&sampler).unwrap();
         assert_eq!(named(&json), sampler, "a parameter is lost in {json}");

@@ -54,10 +54,7 @@ fn the_law_and_the_cost_are_as_claimed_on_both_paths() {
             let what = format!("{sampler:?} in {:?}, {:?}", medium.cells(), medium.majorants());
             for (draws, lookups) in draw(&sampler, &*medium, ROWS) {
                 let n = ROWS as f64;
-                assert!(
-                    draws.iter().all(|&t| (t >= 0.0 && t <= d) || t == f64::INFINITY),
-                    "{what}"
-                );
+                assert!(draws.iter().all(|&t| (t >= 0.0 && t <= d) || t == f64::INFINITY), "{what}");
                 for x in [0.11, 0.3, 0.5, 0.73, 0.9, 1.0].map(|s| s * d) {
                     let law = || libm::exp(-medium.tau(x));
                     let p = claims.own_law.as_ref().map_or_else(law, |law| law(x));
@@ -68,10 +65,7 @@ fn the_law_and_the_cost_are_as_claimed_on_both_paths() {
                 }
                 let expected = claims.lookups.unwrap();
                 let error = 4.5 * (expected * (2.0 + expected) / n).sqrt() + 1e-9;
-                assert!(
-                    (lookups - expected).abs() < error,
-                    "{what}: {lookups}, not {expected}"
-                );
+                assert!((lookups - expected).abs() < error, "{what}: {lookups}, not {expected}");
             }
         }
     }
@@ -81,32 +75,18 @@ fn the_law_and_the_cost_are_as_claimed_on_both_paths() {
 fn regular_tracking_is_the_inverse_of_the_optical_depth() {
     let accepted = |medium: &dyn Medium| {
         let names = all(medium).into_iter();
-        names
-            .filter(|x| x.name() == "regular_tracking")
-            .collect::<Vec<_>>()
+        names.filter(|x| x.name() == "regular_tracking").collect::<Vec<_>>()
     };
-    let media: [(&dyn Medium, usize); 6] = [
-        (&constant(), 3),
-        (&steps(), 3),
-        (&ramp(), 2),
-        (&ramps(), 2),
-        (&cubics(), 1),
-        (&bump(), 0),
-    ];
+    let media: [(&dyn Medium, usize); 6] =
+        [(&constant(), 3), (&steps(), 3), (&ramp(), 2), (&ramps(), 2), (&cubics(), 1), (&bump(), 0)];
     for (medium, degrees) in media {
         assert_eq!(accepted(medium).len(), degrees);
         for sampler in accepted(medium) {
             let (streams, twin) = (streams(9), streams(9));
             let (mut rng, mut twin) = (streams.rng(), twin.rng());
             for _ in 0..20_000 {
-                let (t, truth) = (
-                    sampler.sample(&medium, &mut rng).t,
-                    medium.inverse_tau(exponential(&mut twin)),
-                );
-                assert!(
-                    t == truth || (t - truth).abs() < 1e-12,
-                    "{sampler:?}: {t}, not {truth}"
-                );
+                let (t, truth) = (sampler.sample(&medium, &mut rng).t, medium.inverse_tau(exponential(&mut twin)));
+                assert!(t == truth || (t - truth).abs() < 1e-12, "{sampler:?}: {t}, not {truth}");
             }
         }
     }
@@ -191,9 +171,7 @@ fn extreme_words_end_on_the_ray() {
                     continue; // steps of zero length where nothing collides
                 }
                 let prefix = vec![word; 70];
-                let streams = streams(4)
-                    .scripted(Script { prefix, repeat })
-                    .with_budget(1_000_000);
+                let streams = streams(4).scripted(Script { prefix, repeat }).with_budget(1_000_000);
                 let (mut draws, mut rng) = (Draws::new(300).with_t(), streams.rng());
                 sampler.sample_block(&*medium, &streams, &mut draws);
                 draws.t.push(sampler.sample(&*medium, &mut rng).t);
@@ -211,16 +189,10 @@ fn bad_parameters_are_refused_by_name() {
     assert!(zero.contains("steps must be 1 to 100000000, not 0"), "{zero}");
     assert!(error(r#"{"ray_marching": {"rule": "comb", "steps": 3}}"#).contains("unknown variant"));
     let curved = error(r#"{"regular_tracking": {"cells": "curved"}}"#);
-    assert!(
-        curved.contains("cells must be constant, linear or cubic, not curved"),
-        "{curved}"
-    );
+    assert!(curved.contains("cells must be constant, linear or cubic, not curved"), "{curved}");
     let linear = named(r#"{"regular_tracking": {"cells": "linear"}}"#);
     let refused = linear.accepts(&cubics()).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "cells must be at least cubic, as the medium is, not linear"
-    );
+    assert_eq!(refused.to_string(), "cells must be at least cubic, as the medium is, not linear");
     assert_eq!(bump().cells(), Cells::Curved);
     assert_eq!(linear.accepts(&bump()).unwrap_err().name(), "cells");
     for x in all(&constant()) {

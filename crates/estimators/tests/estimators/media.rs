@@ -68,37 +68,20 @@ impl Medium for Polynomial {
         let cells = self.ends.iter().zip(&self.coefficients).enumerate();
         let crossed = cells.filter(|&(k, _)| self.start(k) < t);
         crossed
-            .map(|(k, (&end, c))| {
-                integral(
-                    c,
-                    if t < end {
-                        t - self.start(k)
-                    } else {
-                        end - self.start(k)
-                    },
-                )
-            })
+            .map(|(k, (&end, c))| integral(c, if t < end { t - self.start(k) } else { end - self.start(k) }))
             .sum()
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let mut values = vec![];
         for (k, (&end, c)) in self.ends.iter().zip(&self.coefficients).enumerate() {
-            let (low, high) = (
-                if a > self.start(k) { a } else { self.start(k) },
-                if b < end { b } else { end },
-            );
+            let (low, high) = (if a > self.start(k) { a } else { self.start(k) }, if b < end { b } else { end });
             if low >= high {
                 continue;
             }
             let root = (c[2] * c[2] - 3.0 * c[1] * c[3]).sqrt();
             let flat = [-c[1] / (c[2] + root), -c[1] / (c[2] - root)].map(|s| s + self.start(k));
             let inner = flat.into_iter().filter(|&t| low < t && t < high);
-            values.extend(
-                [low, high]
-                    .into_iter()
-                    .chain(inner)
-                    .map(|t| value(c, t - self.start(k))),
-            );
+            values.extend([low, high].into_iter().chain(inner).map(|t| value(c, t - self.start(k))));
         }
         values.sort_by(f64::total_cmp);
         (values[0], values[values.len() - 1])

@@ -80,10 +80,7 @@ fn three_moments_range_and_cost_are_as_claimed_on_both_paths() {
                 }
                 if let Some(expected) = claims.lookups {
                     let error = 4.5 * (expected * (2.0 + expected) / ROWS as f64).sqrt() + 1e-9;
-                    assert!(
-                        (lookups - expected).abs() < error,
-                        "{what}: {lookups}, not {expected}"
-                    );
+                    assert!((lookups - expected).abs() < error, "{what}: {lookups}, not {expected}");
                 }
                 assert!(!claims.binary || draws.weight.iter().all(|&x| x == 0.0 || x == 1.0));
             }
@@ -123,16 +120,8 @@ fn ratio_and_roulette_need_no_bounding_majorant_but_pbrt_v3_does() {
     assert!(mean(r#"{"ratio_roulette": {"rule": "pbrt_v4"}}"#).abs() < 4.5);
     assert!(mean(r#"{"residual_ratio_tracking": {"control": "mean"}}"#).abs() < 4.5);
     assert!(mean(r#"{"ratio_roulette": {"rule": "pbrt_v3"}}"#) > 6.0);
-    assert!(
-        !named(r#"{"ratio_roulette": {"rule": "pbrt_v4"}}"#)
-            .claims(&medium)
-            .bounded
-    );
-    assert!(
-        named(r#"{"ratio_roulette": {"rule": "pbrt_v3"}}"#)
-            .claims(&medium)
-            .bounded
-    );
+    assert!(!named(r#"{"ratio_roulette": {"rule": "pbrt_v4"}}"#).claims(&medium).bounded);
+    assert!(named(r#"{"ratio_roulette": {"rule": "pbrt_v3"}}"#).claims(&medium).bounded);
 }
 
 #[test]

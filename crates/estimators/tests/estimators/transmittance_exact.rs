@@ -18,9 +18,7 @@ fn marching_moments_agree_with_brute_force() {
             for k in [1, 2, 6] {
                 let x = |depth: f64| libm::exp(-f64::from(k) * h * depth) / f64::from(n);
                 let whole: f64 = (0..n).map(|i| x((0..steps).map(|j| point(j, i)).sum())).sum();
-                let parts: f64 = (0..steps)
-                    .map(|j| (0..n).map(|i| x(point(j, i))).sum::<f64>())
-                    .product();
+                let parts: f64 = (0..steps).map(|j| (0..n).map(|i| x(point(j, i))).sum::<f64>()).product();
                 let error = 2e-5; // of the brute force at a jump
                 assert!((comb[k as usize - 1] / whole - 1.0).abs() < error);
                 assert!((stratified[k as usize - 1] / parts - 1.0).abs() < error);
@@ -33,10 +31,7 @@ fn marching_moments_agree_with_brute_force() {
 fn walk_moments_agree_with_the_exponential_formula_by_other_nodes() {
     let medium = Under::new(bump(), Majorants::tight(&bump(), 3));
     let n = 100_000;
-    let moments = named(r#"{"ratio_tracking": {}}"#)
-        .claims(&medium)
-        .moments
-        .unwrap();
+    let moments = named(r#"{"ratio_tracking": {}}"#).claims(&medium).moments.unwrap();
     for k in 1..=6 {
         let bound = |t: f64| -> f64 { medium.majorants().mu_bar_at(t) };
         let loss = |t: f64| bound(t) * (1.0 - (1.0 - medium.mu(t) / bound(t)).powi(k));
@@ -68,10 +63,9 @@ fn no_variance_where_the_method_knows_the_medium() {
         }
     }
     let empty = freepath_estimators::medium::Constant::new(0.0, 2.0).unwrap();
-    for medium in [
-        &empty as &dyn Medium,
-        &Under::new(empty.clone(), Majorants::constant(4.0, 2.0).measured(&empty)),
-    ] {
+    for medium in
+        [&empty as &dyn Medium, &Under::new(empty.clone(), Majorants::constant(4.0, 2.0).measured(&empty))]
+    {
         for estimator in all().iter().filter(|x| !format!("{x:?}").contains("Value")) {
             for (draws, _) in draw(estimator, medium, 2000) {
                 assert!(draws.weight.iter().all(|&x| x == 1.0), "{estimator:?}");
@@ -86,17 +80,10 @@ fn a_ramp_has_the_marching_bias_of_the_textbook() {
     let truth = libm::exp(-medium.tau(2.0));
     for (rule, power) in [("comb", 2), ("stratified", 3)] {
         for steps in [64, 128] {
-            let claims = named(&format!(
-                r#"{{"ray_marching": {{"rule": "{rule}", "steps": {steps}}}}}"#
-            ))
-            .claims(&medium);
+            let claims =
+                named(&format!(r#"{{"ray_marching": {{"rule": "{rule}", "steps": {steps}}}}}"#)).claims(&medium);
             let (h, rise) = (2.0 / f64::from(steps), 2.8);
-            let leading = truth
-                * if power == 2 {
-                    h * rise * h * rise
-                } else {
-                    h * h * h * 1.4 * 1.4 * 2.0
-                };
+            let leading = truth * if power == 2 { h * rise * h * rise } else { h * h * h * 1.4 * 1.4 * 2.0 };
             let bias = claims.own_mean.unwrap() - truth;
             assert!((bias / (leading / 24.0) - 1.0).abs() < 2e-3, "{rule}");
             assert_eq!(claims.order, Some(f64::from(power)));
@@ -106,11 +93,7 @@ fn a_ramp_has_the_marching_bias_of_the_textbook() {
 
 #[test]
 fn bad_parameters_are_refused_by_name() {
-    let error = |json: &str| {
-        serde_json::from_str::<AnyTransmittance>(json)
-            .unwrap_err()
-            .to_string()
-    };
+    let error = |json: &str| serde_json::from_str::<AnyTransmittance>(json).unwrap_err().to_string();
     let zero = error(r#"{"ray_marching": {"rule": "comb", "steps": 0}}"#);
     assert!(zero.contains("steps must be 1 to 100000000, not 0"), "{zero}");
     assert!(error(r#"{"residual_ratio_tracking": {"control": {"value": -1}}}"#).contains("control must be"));
@@ -118,12 +101,7 @@ fn bad_parameters_are_refused_by_name() {
     let unknown = Under::new(constant(), Majorants::constant(2.0, 2.0));
     let mean = named(r#"{"residual_ratio_tracking": {"control": "mean"}}"#);
     assert_eq!(mean.accepts(&unknown).unwrap_err().name(), "control");
-    assert!(
-        all()
-            .iter()
-            .filter(|x| **x != mean)
-            .all(|x| x.accepts(&unknown).is_ok())
-    );
+    assert!(all().iter().filter(|x| **x != mean).all(|x| x.accepts(&unknown).is_ok()));
     for x in all() {
         let json = serde_json::to_string(&x).unwrap();
         assert_eq!(named(&json), x, "a parameter is lost in {json}");

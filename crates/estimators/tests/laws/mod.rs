@@ -2,8 +2,8 @@
 
 use crate::zoo::{grey, parse};
 use freepath_estimators::medium::{
-    AnyMedium, BoxSpike, Constant, Exponential, Gaussian, Linear, PiecewiseConstant, PiecewiseLinear,
-    Reversed, Scaled, Segment, Sinusoid,
+    AnyMedium, BoxSpike, Constant, Exponential, Gaussian, Linear, PiecewiseConstant, PiecewiseLinear, Reversed,
+    Scaled, Segment, Sinusoid,
 };
 use freepath_estimators::{Extinction, Medium};
 use proptest::prelude::*;
@@ -21,16 +21,12 @@ fn plain(kind: usize, u: [f64; 6]) -> AnyMedium {
     let values = [5.0 * u[3], 5.0 * u[4], 5.0 * u[5]].map(few_digits);
     let height = few_digits(if u[3] < 0.5 { 0.4 + u[3] } else { -0.4 - u[3] });
     let [u3, u4, u5] = [u[3], u[4], u[5]].map(few_digits);
-    let (start, end) = (
-        few_digits(0.4 * length * u3),
-        few_digits(length * (0.5 + 0.5 * u4)),
-    );
+    let (start, end) = (few_digits(0.4 * length * u3), few_digits(length * (0.5 + 0.5 * u4)));
     match kind {
         0 => Constant::new(mu0, length).map(AnyMedium::Constant),
         1 => Linear::new(mu0, mu1, length).map(AnyMedium::Linear),
         2 => Exponential::new(mu0, height, length).map(AnyMedium::Exponential),
-        3 => Gaussian::new(mu0, few_digits(3.0 * u3), few_digits(0.1 + u4), length, u5)
-            .map(AnyMedium::Gaussian),
+        3 => Gaussian::new(mu0, few_digits(3.0 * u3), few_digits(0.1 + u4), length, u5).map(AnyMedium::Gaussian),
         4 => Sinusoid::new(mu0, u3, few_digits(0.2 + 4.0 * u4), length, few_digits(9.0 * u5))
             .map(AnyMedium::Sinusoid),
         5 => BoxSpike::new(mu0, mu1, start, end, length).map(AnyMedium::BoxSpike),
@@ -46,10 +42,7 @@ fn plain(kind: usize, u: [f64; 6]) -> AnyMedium {
 /// One wrapper more.
 fn wrapped(medium: AnyMedium, kind: usize, u: [f64; 2]) -> AnyMedium {
     let length = grey(&medium).length();
-    let (from, to) = (
-        few_digits(0.4 * u[0] * length),
-        few_digits((0.5 + 0.499 * u[1]) * length),
-    );
+    let (from, to) = (few_digits(0.4 * u[0] * length), few_digits((0.5 + 0.499 * u[1]) * length));
     match kind {
         0 => Scaled::new(few_digits(3.0 * u[0]), medium).map(AnyMedium::Scaled),
         1 => Ok(AnyMedium::Reversed(Reversed::new(medium))),

@@ -34,51 +34,24 @@ const GREY: &[&str] = &[
 
 /// Descriptions that must be refused, and words of the refusal.
 pub(crate) const BAD: &[(&str, &str)] = &[
-    (
-        r#"{"linear": {"mu0": -1, "mu1": 2, "length": 3}}"#,
-        "mu0 must be finite and not negative, not -1",
-    ),
-    (
-        r#"{"linear": {"mu0": 1, "mu1": -2, "length": 3}}"#,
-        "mu1 must be finite and not negative, not -2",
-    ),
-    (
-        r#"{"linear": {"mu0": 1, "mu1": 2, "length": 0}}"#,
-        "length must be finite and positive, not 0",
-    ),
+    (r#"{"linear": {"mu0": -1, "mu1": 2, "length": 3}}"#, "mu0 must be finite and not negative, not -1"),
+    (r#"{"linear": {"mu0": 1, "mu1": -2, "length": 3}}"#, "mu1 must be finite and not negative, not -2"),
+    (r#"{"linear": {"mu0": 1, "mu1": 2, "length": 0}}"#, "length must be finite and positive, not 0"),
     (r#"{"linear": {"mu0": 1, "mu1": 2}}"#, "missing field `length`"),
-    (
-        r#"{"linear": {"mu0": 1, "mu1": 2, "length": 3, "mu": 1}}"#,
-        "unknown field `mu`",
-    ),
-    (
-        r#"{"exponential": {"mu0": 1, "scale_height": 0, "length": 3}}"#,
-        "scale_height must be finite and not 0",
-    ),
-    (
-        r#"{"exponential": {"mu0": -1, "scale_height": 1, "length": 3}}"#,
-        "mu0 must be",
-    ),
+    (r#"{"linear": {"mu0": 1, "mu1": 2, "length": 3, "mu": 1}}"#, "unknown field `mu`"),
+    (r#"{"exponential": {"mu0": 1, "scale_height": 0, "length": 3}}"#, "scale_height must be finite and not 0"),
+    (r#"{"exponential": {"mu0": -1, "scale_height": 1, "length": 3}}"#, "mu0 must be"),
     (
         r#"{"sinusoid": {"mean": 1, "amplitude": 1.5, "frequency": 1, "length": 3}}"#,
         "amplitude must be from 0 to 1, not 1.5",
     ),
-    (
-        r#"{"sinusoid": {"mean": 1, "amplitude": 1, "frequency": -1, "length": 3}}"#,
-        "frequency must be",
-    ),
-    (
-        r#"{"sinusoid": {"mean": 1, "amplitude": 1, "frequency": 1e12, "length": 3}}"#,
-        "at most 1e9 periods",
-    ),
+    (r#"{"sinusoid": {"mean": 1, "amplitude": 1, "frequency": -1, "length": 3}}"#, "frequency must be"),
+    (r#"{"sinusoid": {"mean": 1, "amplitude": 1, "frequency": 1e12, "length": 3}}"#, "at most 1e9 periods"),
     (
         r#"{"box_spike": {"base": 1, "peak": 2, "start": 1, "end": 4, "length": 3}}"#,
         "end must be beyond the start",
     ),
-    (
-        r#"{"box_spike": {"base": 1, "peak": -2, "start": 1, "end": 2, "length": 3}}"#,
-        "peak must be",
-    ),
+    (r#"{"box_spike": {"base": 1, "peak": -2, "start": 1, "end": 2, "length": 3}}"#, "peak must be"),
     (
         r#"{"piecewise_constant": {"edges": [0, 2, 1], "values": [1, 2]}}"#,
         "edges must be finite and increasing from 0, not 1",
@@ -87,18 +60,9 @@ pub(crate) const BAD: &[(&str, &str)] = &[
         r#"{"piecewise_linear": {"nodes": [0, 2], "values": [1]}}"#,
         "values must be as many as the nodes, not 1 of them",
     ),
-    (
-        r#"{"chromatic": {"sigma_t": [1], "sigma_s": [2], "length": 3}}"#,
-        "sigma_s must be at most",
-    ),
-    (
-        r#"{"scaled": {"by": -1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#,
-        "by must be",
-    ),
-    (
-        r#"{"scaled": {"by": 1, "medium": {"constant": {"mu": -1, "length": 3}}}}"#,
-        "mu must be",
-    ),
+    (r#"{"chromatic": {"sigma_t": [1], "sigma_s": [2], "length": 3}}"#, "sigma_s must be at most"),
+    (r#"{"scaled": {"by": -1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#, "by must be"),
+    (r#"{"scaled": {"by": 1, "medium": {"constant": {"mu": -1, "length": 3}}}}"#, "mu must be"),
     (
         r#"{"segment": {"from": 2, "to": 1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#,
         "to must be greater than from, 2, not 1",
@@ -141,9 +105,7 @@ pub(crate) fn chromatic(any: &AnyMedium) -> Result<ChromaticMedium, ParameterErr
 
 /// Every grey medium that JSON can describe.
 pub(crate) fn described() -> Vec<(String, Arc<dyn Medium>)> {
-    GREY.iter()
-        .map(|&json| (json.to_owned(), grey(&parse(json))))
-        .collect()
+    GREY.iter().map(|&json| (json.to_owned(), grey(&parse(json)))).collect()
 }
 
 /// All of them, and functions.

@@ -6,9 +6,7 @@ use std::collections::HashSet;
 impl CaseFile {
     /// `why` the case cannot be judged, at `path`.
     pub(super) fn refuse(&self, path: &str, why: impl std::fmt::Display) -> CaseError {
-        self.source
-            .diagnose(path, format!("cannot judge the case: {why}"))
-            .into()
+        self.source.diagnose(path, format!("cannot judge the case: {why}")).into()
     }
 
     /// Refuses what no medium could make right.
@@ -28,31 +26,20 @@ impl CaseFile {
                 let why = format!("there are two subjects named \"{name}\" (give one a `name` of its own)");
                 return Err(self.refuse(&at, why));
             }
-            for (j, fault) in subject
-                .fault
-                .iter()
-                .flat_map(|faults| faults.0.iter().enumerate())
-            {
-                fault
-                    .check()
-                    .map_err(|why| self.refuse(&format!("{at}.fault"), format!("fault {j}: {why}")))?;
+            for (j, fault) in subject.fault.iter().flat_map(|faults| faults.0.iter().enumerate()) {
+                fault.check().map_err(|why| self.refuse(&format!("{at}.fault"), format!("fault {j}: {why}")))?;
             }
         }
         self.check_effort()
     }
 
     fn check_kind(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
-        let kinds = [
-            subject.free_path.is_some(),
-            subject.transmittance.is_some(),
-            subject.chromatic.is_some(),
-        ];
+        let kinds = [subject.free_path.is_some(), subject.transmittance.is_some(), subject.chromatic.is_some()];
         match kinds.iter().filter(|is| **is).count() {
             1 => Ok(()),
             n => {
-                let why = format!(
-                    "a subject has {n} kinds (exactly one of `free_path`, `transmittance`, `chromatic`)"
-                );
+                let why =
+                    format!("a subject has {n} kinds (exactly one of `free_path`, `transmittance`, `chromatic`)");
                 Err(self.refuse(at, why))
             }
         }
@@ -61,24 +48,10 @@ impl CaseFile {
     /// Draws, budgets, bounds and tolerances of the case and of each subject.
     fn check_effort(&self) -> Result<(), CaseError> {
         let case = &self.case;
-        self.check_numbers(
-            "",
-            case.draws,
-            case.budget,
-            case.bias_bound,
-            case.tolerance,
-            case.resolution_bits,
-        )?;
+        self.check_numbers("", case.draws, case.budget, case.bias_bound, case.tolerance, case.resolution_bits)?;
         for (i, s) in case.subjects.iter().enumerate() {
             let at = format!("subjects[{i}].");
-            self.check_numbers(
-                &at,
-                s.draws,
-                s.budget,
-                s.bias_bound,
-                s.tolerance,
-                s.resolution_bits,
-            )?;
+            self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
         }
         Ok(())
     }
@@ -101,22 +74,13 @@ impl CaseFile {
         if let Some(BiasBound::Absolute(x) | BiasBound::Relative(x)) = bound
             && !(x > 0.0 && x.is_finite())
         {
-            return refuse(
-                "bias_bound",
-                format!("bias_bound must be finite and positive, not {x}"),
-            );
+            return refuse("bias_bound", format!("bias_bound must be finite and positive, not {x}"));
         }
         if let Some(x) = tolerance.filter(|&x| !(x >= 0.0 && x < 1.0)) {
-            return refuse(
-                "tolerance",
-                format!("tolerance must be from 0 to below 1, not {x}"),
-            );
+            return refuse("tolerance", format!("tolerance must be from 0 to below 1, not {x}"));
         }
         if let Some(b) = bits.filter(|&b| !(8..=53).contains(&b)) {
-            return refuse(
-                "resolution_bits",
-                format!("resolution_bits must be from 8 to 53, not {b}"),
-            );
+            return refuse("resolution_bits", format!("resolution_bits must be from 8 to 53, not {b}"));
         }
         Ok(())
     }

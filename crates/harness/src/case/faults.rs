@@ -37,10 +37,7 @@ impl JsonSchema for Faults {
         "faults".into()
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (one, many) = (
-            generator.subschema_for::<Fault>(),
-            generator.subschema_for::<Vec<Fault>>(),
-        );
+        let (one, many) = (generator.subschema_for::<Fault>(), generator.subschema_for::<Vec<Fault>>());
         json_schema!({ "anyOf": [one, many] })
     }
 }

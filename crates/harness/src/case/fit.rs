@@ -18,9 +18,7 @@ impl CaseFile {
             return Ok(medium.clone());
         };
         let path = format!("{at}.majorant");
-        let majorants = choice
-            .majorants(&**medium)
-            .map_err(|why| self.refuse(&path, why))?;
+        let majorants = choice.majorants(&**medium).map_err(|why| self.refuse(&path, why))?;
         Ok(Arc::new(Under::new(medium.clone(), majorants)))
     }
 
@@ -40,11 +38,7 @@ impl CaseFile {
         let must_bound = needs_bound && !spec.without.contains(&Claim::Bounded);
         let short = truth.majorants().shortfall(&**truth).filter(|_| must_bound);
         if let Some((segment, bound, greatest)) = short {
-            let stated = if spec.majorant.is_some() {
-                format!("{at}.majorant")
-            } else {
-                "majorant".to_string()
-            };
+            let stated = if spec.majorant.is_some() { format!("{at}.majorant") } else { "majorant".to_string() };
             let why = format!(
                 "the majorant {bound} of segment {segment} does not bound mu, which reaches {greatest} (state one that does, \
                  plant the fault `short_majorant`, or withdraw the claim `bounded`)"
@@ -83,14 +77,13 @@ impl CaseFile {
                 estimator.accepts(&seen).map_err(refused)
             }
             (Work::Exact | Work::ClosedForm, World::Grey(_), _) => Ok(()),
-            (Work::Chromatic(_), ..) => Err(self.refuse(
-                &path,
-                "a chromatic subject needs a medium of channels (the medium `chromatic`)",
-            )),
-            _ => Err(self.refuse(
-                &path,
-                format!("a {kind} subject needs one extinction (not the medium `chromatic`)"),
-            )),
+            (Work::Chromatic(_), ..) => {
+                Err(self.refuse(&path, "a chromatic subject needs a medium of channels (the medium `chromatic`)"))
+            }
+            _ => {
+                Err(self
+                    .refuse(&path, format!("a {kind} subject needs one extinction (not the medium `chromatic`)")))
+            }
         }
     }
 }

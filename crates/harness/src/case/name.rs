@@ -41,9 +41,7 @@ impl Subject {
 fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
     match json {
         Value::Array(items) => items.iter().for_each(|item| collect_words(item, inside, words)),
-        Value::Object(fields) => fields
-            .iter()
-            .for_each(|(_, field)| collect_words(field, true, words)),
+        Value::Object(fields) => fields.iter().for_each(|(_, field)| collect_words(field, true, words)),
         Value::String(word) if inside && word != "restart" => words.push(word.replace('_', "-")),
         Value::Number(number) if inside => words.push(number.to_string()),
         _ => {}
@@ -53,7 +51,5 @@ fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
 /// FNV-1a (Fowler, Noll and Vo), 64 bits.
 #[must_use]
 pub fn hash(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -70,27 +70,16 @@ impl PreparedSubject {
     pub fn runnable<'a>(&'a self, world: &'a World, case: &'a Case) -> crate::subject::Subject<'a> {
         let scene = match (world, &self.truth, &self.seen) {
             (World::Grey(_), Some(truth), Some(seen)) => Scene::Grey { truth, seen },
-            (World::Grey(medium), ..) => Scene::Grey {
-                truth: medium,
-                seen: medium,
-            },
+            (World::Grey(medium), ..) => Scene::Grey { truth: medium, seen: medium },
             (World::Chromatic(medium), ..) => Scene::Chromatic(medium),
         };
         crate::subject::Subject {
             key: self.key,
             draws: self.draws,
-            budget: self
-                .spec
-                .budget
-                .or(case.budget)
-                .unwrap_or_else(|| self.draws.saturating_mul(64)),
+            budget: self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
             bias_bound: self.spec.bias_bound.or(case.bias_bound),
             tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
-            bits: self
-                .spec
-                .resolution_bits
-                .or(case.resolution_bits)
-                .unwrap_or(UNIFORM_BITS),
+            bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(UNIFORM_BITS),
             faults: &self.faults,
             without: &self.spec.without,
             ..crate::subject::Subject::new(self.spec.work(), scene)
@@ -119,36 +108,18 @@ impl CaseFile {
         let volumes = Volumes::default();
         let rays: Vec<_> = match self.case.rays.len() {
             0 => vec![(None, None)],
-            _ => self
-                .case
-                .rays
-                .iter()
-                .enumerate()
-                .map(|(i, ray)| (Some(i), Some(*ray)))
-                .collect(),
+            _ => self.case.rays.iter().enumerate().map(|(i, ray)| (Some(i), Some(*ray))).collect(),
         };
         let case = Arc::new(self.case.clone());
         let one = |(number, ray): (Option<usize>, _)| {
             let folder = self.path.parent().unwrap_or(Path::new("."));
-            let place = Place {
-                folder,
-                ray,
-                allow_paths: limits.allow_paths,
-                volumes: &volumes,
-            };
+            let place = Place { folder, ray, allow_paths: limits.allow_paths, volumes: &volumes };
             let at = number.map_or("medium".into(), |i| format!("rays[{i}]"));
             let world = self.world(&place, &at)?;
-            let subjects = (0..self.case.subjects.len())
-                .map(|i| self.subject(i, number, &world, limits))
-                .collect();
+            let subjects =
+                (0..self.case.subjects.len()).map(|i| self.subject(i, number, &world, limits)).collect();
             let file = self.path.display().to_string();
-            Ok(Prepared {
-                file,
-                case: case.clone(),
-                ray: number,
-                world,
-                subjects: all(subjects)?,
-            })
+            Ok(Prepared { file, case: case.clone(), ray: number, world, subjects: all(subjects)? })
         };
         rays.into_iter().map(one).collect()
     }
@@ -156,21 +127,14 @@ impl CaseFile {
     fn world(&self, place: &Place, at: &str) -> Result<World, CaseError> {
         let name = self.case.medium.name();
         let inside = |why: ParameterError| {
-            let path = if at == "medium" {
-                format!("medium.{name}.{}", why.name())
-            } else {
-                at.to_string()
-            };
+            let path = if at == "medium" { format!("medium.{name}.{}", why.name()) } else { at.to_string() };
             self.refuse(&path, why)
         };
         match self.case.medium.build(place).map_err(inside)? {
             Built::Chromatic(medium) => Ok(World::Chromatic(medium)),
             Built::Grey(medium) => {
-                let majorants = self
-                    .case
-                    .majorant
-                    .majorants(&*medium)
-                    .map_err(|why| self.refuse("majorant", why))?;
+                let majorants =
+                    self.case.majorant.majorants(&*medium).map_err(|why| self.refuse("majorant", why))?;
                 Ok(World::Grey(Arc::new(Under::new(medium, majorants))))
             }
         }
@@ -198,22 +162,10 @@ impl CaseFile {
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
         let draws = limits.draws.unwrap_or((asked as f64 * effort).ceil() as u64);
         if draws > MOST_DRAWS {
-            return Err(self.refuse(
-                "draws",
-                format!("{draws} draws are too many (at most {MOST_DRAWS})"),
-            ));
+            return Err(self.refuse("draws", format!("{draws} draws are too many (at most {MOST_DRAWS})")));
         }
-        let canonical =
-            serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        Ok(PreparedSubject {
-            spec: spec.clone(),
-            name,
-            truth,
-            seen,
-            faults,
-            key: hash(&canonical),
-            draws,
-        })
+        let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
+        Ok(PreparedSubject { spec: spec.clone(), name, truth, seen, faults, key: hash(&canonical), draws })
     }
 }
 

@@ -32,9 +32,8 @@ pub(super) struct Place<'a> {
 impl Place<'_> {
     /// `file` in the case's folder; a path that leaves the folder needs permission.
     fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
-        let inside = Path::new(file)
-            .components()
-            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+        let inside =
+            Path::new(file).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
         let path = self.folder.join(file);
         let real = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
         let stays = inside && real(&path).starts_with(real(self.folder));
@@ -53,8 +52,7 @@ impl Surroundings for Place<'_> {
         if let Some(volume) = volumes.get(&path) {
             return Ok(volume.clone());
         }
-        let volume =
-            crate::source::read_volume(&path).map_err(|why| ParameterError::unusable("file", why))?;
+        let volume = crate::source::read_volume(&path).map_err(|why| ParameterError::unusable("file", why))?;
         let volume = Arc::new(volume);
         volumes.insert(path, volume.clone());
         Ok(volume)

@@ -63,25 +63,16 @@ impl<'de> Deserializer<'de> for &'de Node {
         visitor: V,
     ) -> Result<V::Value, Misfit> {
         match &self.value {
-            Value::Text(_) => visitor.visit_enum(Variant {
-                name: self,
-                content: None,
-            }),
+            Value::Text(_) => visitor.visit_enum(Variant { name: self, content: None }),
             Value::Object(members) => match members.as_slice() {
-                [Member { key, value }] => visitor.visit_enum(Variant {
-                    name: key,
-                    content: Some(value),
-                }),
+                [Member { key, value }] => visitor.visit_enum(Variant { name: key, content: Some(value) }),
                 _ => Err(Misfit::predicate(format!(
                     "has {} keys (must be exactly one of {})",
                     members.len(),
                     listed(names)
                 ))),
             },
-            _ => Err(Misfit::invalid_type(
-                self.kind(),
-                &format!("one of {}", listed(names)).as_str(),
-            )),
+            _ => Err(Misfit::invalid_type(self.kind(), &format!("one of {}", listed(names)).as_str())),
         }
     }
 

@@ -86,18 +86,10 @@ impl Diagnosis {
     pub fn render(&self, color: bool) -> String {
         let excerpt = self.excerpt();
         let label = (!self.path().is_empty()).then(|| format!("at {}", self.path()));
-        let annotation = AnnotationKind::Primary
-            .span(excerpt.underlined.clone())
-            .label(label);
+        let annotation = AnnotationKind::Primary.span(excerpt.underlined.clone()).label(label);
         let snippet = Snippet::source(&*excerpt.text).line_start(excerpt.line);
-        let report = Level::ERROR
-            .primary_title(self.message())
-            .element(snippet.annotation(annotation));
-        let renderer = if color {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
+        let report = Level::ERROR.primary_title(self.message()).element(snippet.annotation(annotation));
+        let renderer = if color { Renderer::styled() } else { Renderer::plain() };
         let rendered = renderer.term_width(WIDTH).render(&[report]);
         match rendered.split_once('\n') {
             Some((title, lines)) => format!("{title}\n{}\n{lines}", self.origin(color)),
@@ -109,11 +101,7 @@ impl Diagnosis {
     fn origin(&self, color: bool) -> String {
         let (file, line, column) = (self.file(), self.line(), self.column());
         let indent = line.to_string().len();
-        let style = if color {
-            DEFAULT_LINE_NUM_STYLE
-        } else {
-            Style::new()
-        };
+        let style = if color { DEFAULT_LINE_NUM_STYLE } else { Style::new() };
         format!("{:indent$}{style}-->{style:#} {file}:{line}:{column}", "")
     }
 }

@@ -28,12 +28,7 @@ impl Excerpt {
         let width = after.floor_char_boundary(span.end.saturating_sub(span.start));
         let (underlined, rest) = after.split_at(width);
         let (text, underlined) = cut([before, underlined, rest]);
-        Excerpt {
-            line: line_of(head),
-            column: before.chars().count() + 1,
-            text,
-            underlined,
-        }
+        Excerpt { line: line_of(head), column: before.chars().count() + 1, text, underlined }
     }
 }
 
@@ -44,11 +39,7 @@ pub(super) fn line_of(head: &str) -> usize {
 
 /// Puts the parts of a line together, without its ends if it is long, and says where the middle part is.
 fn cut([before, underlined, rest]: [&str; 3]) -> (String, Range<usize>) {
-    let long = [before, underlined, rest]
-        .into_iter()
-        .flat_map(str::chars)
-        .nth(LONGEST)
-        .is_some();
+    let long = [before, underlined, rest].into_iter().flat_map(str::chars).nth(LONGEST).is_some();
     let (left, right) = if long { (BEFORE, AFTER) } else { (LONGEST, LONGEST) };
     let hidden = before.chars().count().saturating_sub(left);
     let mut line = if hidden > 0 { CUT.to_owned() } else { String::new() };

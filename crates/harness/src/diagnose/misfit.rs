@@ -40,20 +40,12 @@ enum Spot {
 impl Misfit {
     /// An error about the value itself, in a sentence.
     pub(super) fn sentence(text: String) -> Misfit {
-        Misfit {
-            cause: Cause::Sentence(text),
-            spot: Spot::Value,
-            inner_first: Vec::new(),
-        }
+        Misfit { cause: Cause::Sentence(text), spot: Spot::Value, inner_first: Vec::new() }
     }
 
     /// An error about the value itself, which is the subject of the sentence.
     pub(super) fn predicate(text: String) -> Misfit {
-        Misfit {
-            cause: Cause::Predicate(text),
-            spot: Spot::Value,
-            inner_first: Vec::new(),
-        }
+        Misfit { cause: Cause::Predicate(text), spot: Spot::Value, inner_first: Vec::new() }
     }
 
     /// The same error, seen from one level further out.
@@ -85,35 +77,22 @@ impl Misfit {
             Cause::Sentence(text) => text,
             Cause::Predicate(text) => format!("{} {text}", last_name(&path)),
         };
-        Finding {
-            span,
-            path: written(&path),
-            message,
-        }
+        Finding { span, path: written(&path), message }
     }
 }
 
 /// The identifier at the beginning of a sentence.
 fn first_name(text: &str) -> &str {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-        .next()
-        .unwrap_or_default()
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
 impl Error for Misfit {
     fn custom<T: fmt::Display>(message: T) -> Misfit {
-        Misfit {
-            spot: Spot::Named,
-            ..Misfit::sentence(message.to_string())
-        }
+        Misfit { spot: Spot::Named, ..Misfit::sentence(message.to_string()) }
     }
 
     fn invalid_type(unexpected: Unexpected, expected: &dyn Expected) -> Misfit {
-        Misfit::predicate(format!(
-            "is {} (must be {})",
-            kinds::found(unexpected),
-            kinds::wanted(expected)
-        ))
+        Misfit::predicate(format!("is {} (must be {})", kinds::found(unexpected), kinds::wanted(expected)))
     }
 
     fn invalid_value(unexpected: Unexpected, expected: &dyn Expected) -> Misfit {
@@ -122,10 +101,7 @@ impl Error for Misfit {
 
     fn invalid_length(length: usize, expected: &dyn Expected) -> Misfit {
         let values = if length == 1 { "value" } else { "values" };
-        Misfit::predicate(format!(
-            "has {length} {values} (must be {})",
-            kinds::wanted(expected)
-        ))
+        Misfit::predicate(format!("has {length} {values} (must be {})", kinds::wanted(expected)))
     }
 
     fn unknown_variant(name: &str, allowed: &'static [&'static str]) -> Misfit {

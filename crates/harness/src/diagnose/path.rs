@@ -22,10 +22,7 @@ impl fmt::Display for Step {
 }
 
 fn is_plain(key: &str) -> bool {
-    !key.is_empty()
-        && key
-            .chars()
-            .all(|c| c.is_ascii_alphanumeric() || "_-$".contains(c))
+    !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || "_-$".contains(c))
 }
 
 /// A whole path as it is written: `subjects[2].free_path`, and nothing for the whole file.
@@ -36,10 +33,7 @@ pub(super) fn written(path: &[Step]) -> String {
 
 /// What to call the value at the end of `path`: `edges[2]`, or `the file` for the whole.
 pub(super) fn last_name(path: &[Step]) -> String {
-    let from = path
-        .iter()
-        .rposition(|step| matches!(step, Step::Key(_)))
-        .unwrap_or(0);
+    let from = path.iter().rposition(|step| matches!(step, Step::Key(_))).unwrap_or(0);
     match path.get(from..) {
         Some(steps) if !steps.is_empty() => written(steps),
         _ => "the file".to_owned(),

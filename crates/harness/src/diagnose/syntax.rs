@@ -36,12 +36,7 @@ fn read(text: &str) -> Result<Node, Fault> {
         return Err(Fault::new(0..0, message));
     }
     let scanner = Scanner::new(text, &STRICT);
-    let mut parser = Parser {
-        text,
-        scanner,
-        token: None,
-        depth: 0,
-    };
+    let mut parser = Parser { text, scanner, token: None, depth: 0 };
     parser.advance()?;
     let root = parser.value()?;
     match parser.token {
@@ -102,10 +97,7 @@ impl Parser<'_> {
 
     fn no_value(&self) -> Fault {
         let allowed = "an object, a list, a string in double quotes, a number, true, false or null";
-        Fault::new(
-            self.span(),
-            format!("`{}` is no value (must be {allowed})", self.shown()),
-        )
+        Fault::new(self.span(), format!("`{}` is no value (must be {allowed})", self.shown()))
     }
 
     /// A string without raw control characters, which JSON forbids: mostly, its closing quote was forgotten.
@@ -116,10 +108,7 @@ impl Parser<'_> {
             Some(b'\n' | b'\r') => Err(Fault::no_quote(self.span())),
             Some(byte) => {
                 let allowed = format!("must be written `\\u{byte:04x}`");
-                Err(Fault::new(
-                    self.span(),
-                    format!("the string holds a raw control character ({allowed})"),
-                ))
+                Err(Fault::new(self.span(), format!("the string holds a raw control character ({allowed})")))
             }
         }
     }

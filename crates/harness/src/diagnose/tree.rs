@@ -63,11 +63,7 @@ impl Node {
     /// The value at the end of a written path, or the innermost on the way there.
     pub(super) fn find(&self, path: &str) -> &Node {
         let from_key = !path.is_empty() && !path.starts_with('[');
-        let dotted = if from_key {
-            format!(".{path}")
-        } else {
-            path.to_owned()
-        };
+        let dotted = if from_key { format!(".{path}") } else { path.to_owned() };
         self.descend(&dotted)
     }
 
@@ -75,17 +71,10 @@ impl Node {
     fn descend(&self, path: &str) -> &Node {
         let next = |(step, child)| Some((child, after(path, &step)?));
         let found: Option<(&Node, &str)> = match &self.value {
-            Value::List(items) => items
-                .iter()
-                .enumerate()
-                .map(|(i, item)| (Step::Index(i), item))
-                .find_map(next),
+            Value::List(items) => items.iter().enumerate().map(|(i, item)| (Step::Index(i), item)).find_map(next),
             Value::Object(members) => {
                 let step = |member: &Member| Step::Key(member.key.text().to_owned());
-                members
-                    .iter()
-                    .map(|member| (step(member), &member.value))
-                    .find_map(next)
+                members.iter().map(|member| (step(member), &member.value)).find_map(next)
             }
             _ => None,
         };

@@ -5,11 +5,7 @@ const LONGEST_NAME: usize = 60;
 
 /// `` `a`, `b` ``
 pub(super) fn listed(names: &[&str]) -> String {
-    names
-        .iter()
-        .map(|name| format!("`{name}`"))
-        .collect::<Vec<_>>()
-        .join(", ")
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// The message for a name that is not in `allowed`. `kind` says what it names.
@@ -29,9 +25,7 @@ pub(super) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
         return None;
     }
     let plain = name.to_lowercase().replace(['-', ' '], "_");
-    let distances = allowed
-        .iter()
-        .map(|&each| (strsim::damerau_levenshtein(&plain, each), each));
+    let distances = allowed.iter().map(|&each| (strsim::damerau_levenshtein(&plain, each), each));
     let (distance, near) = distances.min_by_key(|&(distance, _)| distance)?;
     (distance <= length / 3).then_some(near)
 }
@@ -52,11 +46,7 @@ pub(super) fn cut(text: &str, most: usize) -> String {
 /// A text whose invisible characters are written as escapes: it cannot steer a terminal or reorder a line.
 pub(super) fn escaped(text: &str) -> String {
     let escape = |c: char| {
-        if is_invisible(c) {
-            c.escape_default().to_string()
-        } else {
-            c.to_string()
-        }
+        if is_invisible(c) { c.escape_default().to_string() } else { c.to_string() }
     };
     text.chars().map(escape).collect()
 }

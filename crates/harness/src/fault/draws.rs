@@ -42,10 +42,7 @@ fn nan_draw(draws: &mut Draws, first: u64, walk: u64, of: u64) {
     for row in 0..draws.rows {
         if (first + row as u64) % of == walk {
             draws.put(row, f64::NAN, f64::NAN, 0);
-            draws
-                .channels
-                .iter_mut()
-                .for_each(|column| column[row] = f64::NAN);
+            draws.channels.iter_mut().for_each(|column| column[row] = f64::NAN);
         }
     }
 }
@@ -54,10 +51,7 @@ fn duplicate(draws: &mut Draws, key: Key, share: f64) {
     let mut rng = key.lane(FAULT_LANE);
     for row in 1..draws.rows {
         if uniform(&mut rng) < share {
-            for column in [&mut draws.t, &mut draws.weight]
-                .into_iter()
-                .chain(&mut draws.channels)
-            {
+            for column in [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels) {
                 if !column.is_empty() {
                     column[row] = column[row - 1];
                 }

@@ -21,11 +21,7 @@ impl<'a> Faulty<'a> {
     /// `medium` behind those of `faults` that concern look-ups.
     #[must_use]
     pub fn new(medium: &'a dyn Extinction, faults: &'a [Fault]) -> Self {
-        Self {
-            medium,
-            faults,
-            last: Cell::new(0.0),
-        }
+        Self { medium, faults, last: Cell::new(0.0) }
     }
 
     /// Begins another walk.
@@ -48,10 +44,7 @@ impl<'a> Faulty<'a> {
 
     /// What the subject makes of the answer.
     fn answer(&self, t: f64, mu: f64) -> f64 {
-        let clamps = self
-            .faults
-            .iter()
-            .any(|fault| matches!(fault, Fault::ClampedDensity { .. }));
+        let clamps = self.faults.iter().any(|fault| matches!(fault, Fault::ClampedDensity { .. }));
         let bound = self.medium.majorants().mu_bar_at(t);
         if clamps && mu > bound { bound } else { mu }
     }

@@ -35,11 +35,7 @@ impl Event {
                 Self::Between(from, to) => -libm::exp(-mu * from) * libm::expm1(-mu * (to - from)),
             }
         };
-        channels
-            .iter()
-            .zip(mixture)
-            .map(|(channel, q)| q * of(channel))
-            .sum()
+        channels.iter().zip(mixture).map(|(channel, q)| q * of(channel)).sum()
     }
 }
 
@@ -135,12 +131,7 @@ fn of_channel(
     ];
     all.extend((0..BINS).map(|bin| {
         let (from, to) = (edge(bin), edge(bin + 1));
-        claim(
-            Event::Between(from, to),
-            format!("scatter_{k}_bin_{bin}"),
-            between(from, to),
-            None,
-        )
+        claim(Event::Between(from, to), format!("scatter_{k}_bin_{bin}"), between(from, to), None)
     }));
     all
 }

@@ -49,22 +49,12 @@ impl Design {
         let z = (own.atom() - atom).abs() / (atom * (1.0 - atom) / n + 1.0 / (n * n)).sqrt(); // at least one draw
         let groups = plan.truth.groups(16);
         let shift = |w: &[usize]| own.mass_between(w[0], w[1]) - plan.truth.mass_between(w[0], w[1]);
-        let noncentrality: f64 = groups
-            .bounds
-            .windows(2)
-            .zip(&groups.mass)
-            .map(|(w, p)| n * shift(w) * shift(w) / p)
-            .sum();
+        let noncentrality: f64 =
+            groups.bounds.windows(2).zip(&groups.mass).map(|(w, p)| n * shift(w) * shift(w) / p).sum();
         // 16 degrees of freedom need about 30 more than one does for the same power
         let equivalent = ((noncentrality - 30.0) / if noncentrality > 30.0 { 1.0 } else { f64::NAN }).sqrt();
         let distance = plan.design_distance() * n.sqrt();
-        let strongest = [z, equivalent, 2.0 * distance]
-            .into_iter()
-            .fold(0.0, |a, b| if b > a { b } else { a });
-        if noncentrality > 0.5 && strongest < 0.5 {
-            Self::Unsure
-        } else {
-            Self::of_deviate(strongest)
-        }
+        let strongest = [z, equivalent, 2.0 * distance].into_iter().fold(0.0, |a, b| if b > a { b } else { a });
+        if noncentrality > 0.5 && strongest < 0.5 { Self::Unsure } else { Self::of_deviate(strongest) }
     }
 }

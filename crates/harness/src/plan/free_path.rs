@@ -22,15 +22,8 @@ impl LawPlan {
     pub(super) fn of(subject: &Subject, truth: &dyn Medium, claims: &FreePathClaims) -> Self {
         let slack = subject.tolerance + truth.tau_error();
         let law = Law::new(truth.length(), slack, |t| libm::exp(-truth.tau(t)));
-        let own = claims
-            .own_law
-            .as_ref()
-            .map(|survival| law.with_survival(subject.tolerance + 1e-9, survival));
-        let reason = if own.is_some() {
-            Reason::Biased
-        } else {
-            Reason::WrongLaw
-        };
+        let own = claims.own_law.as_ref().map(|survival| law.with_survival(subject.tolerance + 1e-9, survival));
+        let reason = if own.is_some() { Reason::Biased } else { Reason::WrongLaw };
         let mut plan = Self::with(law, own, subject, reason);
         plan.pair = plan.pair.filter(|_| claims.continuous);
         plan.coleman = claims.coleman && subject.claims(Claim::Lookups);
@@ -38,18 +31,8 @@ impl LawPlan {
     }
 
     pub(super) fn of_mixture(subject: &Subject, medium: &ChromaticMedium, mixture: &[f64]) -> Self {
-        let rates: Vec<f64> = medium
-            .channels()
-            .iter()
-            .map(|channel| channel.extinction.mu(0.0))
-            .collect();
-        let survival = |t: f64| {
-            mixture
-                .iter()
-                .zip(&rates)
-                .map(|(q, mu)| q * libm::exp(-mu * t))
-                .sum::<f64>()
-        };
+        let rates: Vec<f64> = medium.channels().iter().map(|channel| channel.extinction.mu(0.0)).collect();
+        let survival = |t: f64| mixture.iter().zip(&rates).map(|(q, mu)| q * libm::exp(-mu * t)).sum::<f64>();
         let law = Law::new(medium.length(), subject.tolerance, survival);
         Self::with(law, None, subject, Reason::WrongLaw)
     }
@@ -58,17 +41,9 @@ impl LawPlan {
         let independent = subject.claims(Claim::Independent);
         let followed = own.as_ref().unwrap_or(&truth);
         let scores = independent.then(|| Scores::new(followed));
-        let pair = independent
-            .then(|| pair_probability(followed, subject.bits))
-            .filter(|_| followed.collided() > 0.0);
-        Self {
-            scores,
-            pair,
-            truth,
-            own,
-            coleman: false,
-            reason,
-        }
+        let pair =
+            independent.then(|| pair_probability(followed, subject.bits)).filter(|_| followed.collided() > 0.0);
+        Self { scores, pair, truth, own, coleman: false, reason }
     }
 
     /// sup |F_own - F| over the edges, 0 if the law is the medium's.

@@ -22,19 +22,9 @@ impl MeanPlan {
             variance,
             skewness,
         };
-        let own = |expected| MeanClaim {
-            expected,
-            slack: subject.tolerance + 1e-10 * transmittance,
-            ..claim
-        };
-        let second = claims
-            .moments
-            .filter(|_| !claims.binary && subject.claims(Claim::SecondMoment));
-        Self {
-            truth: claim,
-            own: claims.own_mean.map(own),
-            moments: second,
-        }
+        let own = |expected| MeanClaim { expected, slack: subject.tolerance + 1e-10 * transmittance, ..claim };
+        let second = claims.moments.filter(|_| !claims.binary && subject.claims(Claim::SecondMoment));
+        Self { truth: claim, own: claims.own_mean.map(own), moments: second }
     }
 
     /// own mean - T, 0 if the mean is T.

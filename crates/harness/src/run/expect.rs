@@ -21,14 +21,10 @@ pub fn expected(
         |verdict: Verdict, reason: Reason| decision.verdict == verdict && decision.reasons.contains(&reason);
     match (stated, planted, design) {
         (Some(Expectation::Pass), ..) => ("pass".into(), false, passed),
-        (Some(Expectation::Fail(reason)), ..) => {
-            (format!("fail: {reason}"), false, held(Verdict::Fail, reason))
+        (Some(Expectation::Fail(reason)), ..) => (format!("fail: {reason}"), false, held(Verdict::Fail, reason)),
+        (Some(Expectation::Inconclusive(reason)), ..) => {
+            (format!("inconclusive: {reason}"), false, held(Verdict::Inconclusive, reason))
         }
-        (Some(Expectation::Inconclusive(reason)), ..) => (
-            format!("inconclusive: {reason}"),
-            false,
-            held(Verdict::Inconclusive, reason),
-        ),
         (None, true, _) => ("fail".into(), true, decision.verdict == Verdict::Fail),
         (None, false, Design::Seen) => ("fail: biased".into(), true, biased),
         (None, false, Design::Unsure) => (
@@ -45,11 +41,7 @@ mod tests {
     use super::*;
 
     fn decision(verdict: Verdict, reasons: &[Reason]) -> Decision {
-        Decision {
-            verdict,
-            reasons: reasons.to_vec(),
-            notes: Vec::new(),
-        }
+        Decision { verdict, reasons: reasons.to_vec(), notes: Vec::new() }
     }
 
     #[test]
@@ -57,34 +49,15 @@ mod tests {
         let as_expected =
             |reasons: &[Reason]| expected(None, false, Design::Seen, &decision(Verdict::Fail, reasons)).2;
         assert!(as_expected(&[Reason::Biased]));
-        assert!(
-            !as_expected(&[Reason::Biased, Reason::WrongLaw]),
-            "its own law must hold"
-        );
+        assert!(!as_expected(&[Reason::Biased, Reason::WrongLaw]), "its own law must hold");
         assert!(!expected(None, false, Design::Seen, &decision(Verdict::Pass, &[])).2);
     }
 
     #[test]
     fn a_stated_reason_must_be_among_those_found() {
         let fail = decision(Verdict::Fail, &[Reason::BoundViolated, Reason::WrongLaw]);
-        assert!(
-            expected(
-                Some(Expectation::Fail(Reason::WrongLaw)),
-                true,
-                Design::Unbiased,
-                &fail
-            )
-            .2
-        );
-        assert!(
-            !expected(
-                Some(Expectation::Fail(Reason::Dependent)),
-                true,
-                Design::Unbiased,
-                &fail
-            )
-            .2
-        );
+        assert!(expected(Some(Expectation::Fail(Reason::WrongLaw)), true, Design::Unbiased, &fail).2);
+        assert!(!expected(Some(Expectation::Fail(Reason::Dependent)), true, Design::Unbiased, &fail).2);
         assert!(!expected(Some(Expectation::Pass), false, Design::Unbiased, &fail).2);
     }
 }

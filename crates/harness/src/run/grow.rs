@@ -54,10 +54,7 @@ impl Growth<'_> {
                 return Ok(());
             }
             if 2 * sums.n > subject.budget {
-                let why = format!(
-                    "|bias| <= {reached:.2e} after {} draws; {target:.2e} was asked for",
-                    sums.n
-                );
+                let why = format!("|bias| <= {reached:.2e} after {} draws; {target:.2e} was asked for", sums.n);
                 judged.gates.push((Reason::NotEnoughDraws, why));
                 return Ok(());
             }
@@ -88,9 +85,6 @@ fn bias_bound(plan: &MeanPlan, sums: &PowerSums, doubling: u32) -> Option<f64> {
         let (below, above) = (plan.truth.expected - low, high - plan.truth.expected);
         return Some(if below > above { below } else { above });
     }
-    let range = plan
-        .truth
-        .range
-        .filter(|&(low, high)| sums.least >= low && sums.greatest <= high)?;
+    let range = plan.truth.range.filter(|&(low, high)| sums.least >= low && sums.greatest <= high)?;
     Some(bias.abs() + bernstein_width(sums, range, level))
 }

@@ -10,12 +10,7 @@ pub(super) fn result(case: &Prepared) -> MediumResult {
     let (length, tau, extrema, series) = match &case.world {
         World::Grey(medium) => {
             let length = medium.length();
-            (
-                length,
-                vec![Real(medium.tau(length))],
-                medium.extrema(0.0, length),
-                vec![series(medium)],
-            )
+            (length, vec![Real(medium.tau(length))], medium.extrema(0.0, length), vec![series(medium)])
         }
         World::Chromatic(medium) => {
             let length = medium.length();
@@ -25,12 +20,7 @@ pub(super) fn result(case: &Prepared) -> MediumResult {
                 (if mu < low { mu } else { low }, if mu > high { mu } else { high })
             });
             let tau = media.iter().map(|channel| Real(channel.tau(length))).collect();
-            (
-                length,
-                tau,
-                extrema,
-                media.iter().map(|channel| series(*channel)).collect(),
-            )
+            (length, tau, extrema, media.iter().map(|channel| series(*channel)).collect())
         }
     };
     let parameters = serde_json::to_value(&case.case.medium).unwrap_or_default();
@@ -51,15 +41,8 @@ pub(super) fn result(case: &Prepared) -> MediumResult {
 fn series(medium: &dyn Medium) -> MediumSeries {
     let length = medium.length();
     let mut t: Vec<f64> = (0..=POINTS).map(|i| length * i as f64 / POINTS as f64).collect();
-    let jumps = medium
-        .breaks()
-        .iter()
-        .chain(&medium.majorants().ends()[..medium.majorants().ends().len() - 1]);
-    t.extend(
-        jumps
-            .take(100)
-            .flat_map(|&at| [at * (1.0 - 1e-9), at * (1.0 + 1e-9)]),
-    );
+    let jumps = medium.breaks().iter().chain(&medium.majorants().ends()[..medium.majorants().ends().len() - 1]);
+    t.extend(jumps.take(100).flat_map(|&at| [at * (1.0 - 1e-9), at * (1.0 + 1e-9)]));
     t.sort_by(f64::total_cmp);
     let real = |f: &dyn Fn(f64) -> f64| t.iter().map(|&t| Real(f(t))).collect();
     MediumSeries {

@@ -31,14 +31,8 @@ pub(super) fn cdf(plan: &LawPlan, tally: &CellTally) -> CdfSeries {
         *sum += tally.cells[w[0]..w[1]].iter().sum::<u64>();
         Some(*sum)
     }));
-    let difference = stops
-        .iter()
-        .zip(&below)
-        .map(|(&k, &count)| Real(count as f64 / n - law.mass_between(0, k)));
-    let own = plan
-        .own
-        .iter()
-        .flat_map(|own| stops.iter().map(|&k| Real(law.survival(k) - own.survival(k))));
+    let difference = stops.iter().zip(&below).map(|(&k, &count)| Real(count as f64 / n - law.mass_between(0, k)));
+    let own = plan.own.iter().flat_map(|own| stops.iter().map(|&k| Real(law.survival(k) - own.survival(k))));
     CdfSeries {
         t: stops.iter().map(|&k| Real(law.edge(k))).collect(),
         difference: difference.collect(),
@@ -55,10 +49,7 @@ pub(super) fn histogram(plan: &LawPlan, tally: &CellTally) -> HistogramSeries {
     HistogramSeries {
         edges: stops.iter().map(|&k| Real(law.edge(k))).collect(),
         density: stops.windows(2).map(|w| Real(seen(w) / width(w))).collect(),
-        expected: stops
-            .windows(2)
-            .map(|w| Real(law.mass_between(w[0], w[1]) / width(w)))
-            .collect(),
+        expected: stops.windows(2).map(|w| Real(law.mass_between(w[0], w[1]) / width(w))).collect(),
         escape: Real(tally.escapes as f64 / n),
         escape_expected: Real(law.atom()),
     }
@@ -67,11 +58,7 @@ pub(super) fn histogram(plan: &LawPlan, tally: &CellTally) -> HistogramSeries {
 pub(super) fn residual(plan: &LawPlan, tally: &CellTally) -> Option<ResidualSeries> {
     let (groups, residual, escape) = residuals(&plan.truth, tally, 64)?;
     let edges = groups.bounds.iter().map(|&k| Real(plan.truth.edge(k))).collect();
-    Some(ResidualSeries {
-        edges,
-        residual: residual.into_iter().map(Real).collect(),
-        escape,
-    })
+    Some(ResidualSeries { edges, residual: residual.into_iter().map(Real).collect(), escape })
 }
 
 pub(super) fn running(running: &Running) -> RunningSeries {
@@ -80,8 +67,6 @@ pub(super) fn running(running: &Running) -> RunningSeries {
     RunningSeries {
         draws: all().map(|point| Real(point.0 as f64)).collect(),
         mean: all().map(|point| Real(point.1)).collect(),
-        half_width: all()
-            .map(|point| Real(z * (point.2 / point.0 as f64).sqrt()))
-            .collect(),
+        half_width: all().map(|point| Real(z * (point.2 / point.0 as f64).sqrt())).collect(),
     }
 }

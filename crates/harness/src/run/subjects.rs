@@ -24,40 +24,24 @@ pub(super) fn result(
     decision: Decision,
     options: &Options,
 ) -> SubjectResult {
-    let Trial {
-        case, prepared, plan, ..
-    } = trial;
+    let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let (expected, by_design, as_expected) = expected(
-        prepared.spec.expect,
-        !prepared.faults.is_empty(),
-        plan.design,
-        &decision,
-    );
+    let (expected, by_design, as_expected) =
+        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
     let draws = seen.map_or(0, |seen| seen.draws);
     let per_draw = |lookups: u64| {
-        if draws > 0 {
-            lookups as f64 / draws as f64
-        } else {
-            0.0
-        }
+        if draws > 0 { lookups as f64 / draws as f64 } else { 0.0 }
     };
     let id = id(case, prepared);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
-    let cells = plan
-        .law
-        .as_ref()
-        .zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
         repro: repro(case, &id, options),
         id,
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
-        medium: cases
-            .iter()
-            .position(|other| std::ptr::eq(other, *case))
-            .unwrap_or(0),
+        medium: cases.iter().position(|other| std::ptr::eq(other, *case)).unwrap_or(0),
         subject: prepared.name.clone(),
         estimator: prepared.estimator().into(),
         kind: prepared.kind().into(),
@@ -74,16 +58,8 @@ pub(super) fn result(
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
         law: cells.map(|(plan, cells)| law_result(plan, cells)),
-        channels: plan
-            .channels
-            .iter()
-            .flat_map(|plan| channels(&plan.claims, seen))
-            .collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))]
-            .into_iter()
-            .flatten()
-            .flat_map(tests)
-            .collect(),
+        channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
+        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
         series: Series {
             cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
             histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
@@ -105,17 +81,9 @@ pub fn id(case: &Prepared, prepared: &PreparedSubject) -> String {
     let ray = case.ray.map(|ray| format!("-ray{ray}")).unwrap_or_default();
     let text = format!("{file}{ray}-{}-{}", prepared.kind(), prepared.name);
     let plain = |c: char| {
-        if c.is_ascii_alphanumeric() || c == '_' {
-            c
-        } else {
-            '-'
-        }
+        if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' }
     };
-    text.chars()
-        .map(plain)
-        .collect::<String>()
-        .trim_matches('-')
-        .to_string()
+    text.chars().map(plain).collect::<String>().trim_matches('-').to_string()
 }
 
 /// `text` as one word for a shell.
@@ -129,10 +97,7 @@ pub fn quoted(text: &str) -> String {
 }
 
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let flags = options
-        .repro
-        .rfind(" --seed ")
-        .map_or("", |at| &options.repro[at..]);
+    let flags = options.repro.rfind(" --seed ").map_or("", |at| &options.repro[at..]);
     format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
@@ -165,10 +130,7 @@ fn audit(seen: &Collected) -> AuditResult {
 
 fn mean_result(plan: &MeanPlan, sums: &PowerSums) -> MeanResult {
     let (_, interval) = mean("mean", sums, &plan.truth, Reason::Biased);
-    MeanResult {
-        own: plan.own.map(|own| Real(own.expected)),
-        ..with_interval(&plan.truth, sums, &interval)
-    }
+    MeanResult { own: plan.own.map(|own| Real(own.expected)), ..with_interval(&plan.truth, sums, &interval) }
 }
 
 fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
@@ -198,11 +160,7 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
         };
         let (_, interval) = mean(&claim.name, sums, &claim.mean, Reason::Biased);
         let mean = with_interval(&claim.mean, sums, &interval);
-        Some(ChannelResult {
-            channel: claim.channel,
-            event: event.into(),
-            mean,
-        })
+        Some(ChannelResult { channel: claim.channel, event: event.into(), mean })
     };
     all.filter_map(one).collect()
 }
@@ -250,13 +208,7 @@ fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
     let refusal = match () {
         () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
         () if exact && bias.abs() < 1e-300 => "zero variance: exact",
-        () if trial
-            .first
-            .judged
-            .gates
-            .iter()
-            .any(|gate| gate.0 == Reason::RareEvent) =>
-        {
+        () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
             "dominated by rare events"
         }
         () if !(spread <= 0.1) => "the fourth moment is too large for an interval",
@@ -280,10 +232,5 @@ fn order(trial: &Trial) -> Option<OrderResult> {
     let body = json.get(trial.prepared.kind())?.get(trial.prepared.estimator())?;
     let rule = body.get("rule")?.as_str()?.to_string();
     let steps = body.get("steps")?.as_u64()?;
-    Some(OrderResult {
-        rule,
-        steps,
-        predicted: Real(predicted),
-        bias: Real(bias),
-    })
+    Some(OrderResult { rule, steps, predicted: Real(predicted), bias: Real(bias) })
 }

@@ -100,13 +100,7 @@ mod tests {
     /// A file of the given header and values.
     fn file(header: &str, values: &[u8]) -> Vec<u8> {
         let length = u16::try_from(header.len()).unwrap().to_le_bytes();
-        [
-            b"\x93NUMPY\x01\x00".as_slice(),
-            &length,
-            header.as_bytes(),
-            values,
-        ]
-        .concat()
+        [b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes(), values].concat()
     }
 
     fn dictionary(descr: &str, order: &str, shape: &str) -> String {
@@ -141,18 +135,11 @@ mod tests {
         ];
         for (descr, bytes) in kinds {
             let volume = read(&file(&dictionary(descr, "False", "(1, 2, 3)"), &bytes)).unwrap();
-            assert_eq!(
-                (volume.shape, volume.values),
-                ([3, 2, 1], values.clone()),
-                "{descr}"
-            );
+            assert_eq!((volume.shape, volume.values), ([3, 2, 1], values.clone()), "{descr}");
         }
         let bytes = [0, 1, 2, 127, 128, 255];
         let volume = read(&file(&dictionary("|u1", "False", "(3, 2, 1)"), &bytes)).unwrap();
-        assert_eq!(
-            (volume.shape, volume.values),
-            ([1, 2, 3], bytes.map(f64::from).to_vec())
-        );
+        assert_eq!((volume.shape, volume.values), ([1, 2, 3], bytes.map(f64::from).to_vec()));
     }
 
     #[test]
@@ -180,14 +167,8 @@ mod tests {
         assert_eq!(c("(1, 2, 100000000)"), "its array is too large");
         assert_eq!(c("(4294967296, 4294967296, 2)"), "its array is too large");
         assert_eq!(c("(18446744073709551615, 1, 0)"), "its array is empty");
-        assert_eq!(
-            c("(1, 2, 2)"),
-            "it holds 24 bytes of values where its shape needs 16"
-        );
-        assert_eq!(
-            c("(100, 1000, 1000)"),
-            "it holds 24 bytes of values where its shape needs 400000000"
-        );
+        assert_eq!(c("(1, 2, 2)"), "it holds 24 bytes of values where its shape needs 16");
+        assert_eq!(c("(100, 1000, 1000)"), "it holds 24 bytes of values where its shape needs 400000000");
     }
 
     #[test]
@@ -196,10 +177,7 @@ mod tests {
         assert!(read(&whole).is_ok());
         for end in 0..whole.len() {
             assert!(read(&whole[..end]).is_err(), "{end}");
-            assert!(
-                read_volume(&mut &whole[..end], whole.len() as u64).is_err(),
-                "{end}: shrunk meanwhile"
-            );
+            assert!(read_volume(&mut &whole[..end], whole.len() as u64).is_err(), "{end}: shrunk meanwhile");
         }
     }
 

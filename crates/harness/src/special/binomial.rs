@@ -57,11 +57,7 @@ impl Trials {
     }
 
     pub(super) fn swapped(self) -> Self {
-        Self {
-            p: self.q,
-            q: self.p,
-            ..self
-        }
+        Self { p: self.q, q: self.p, ..self }
     }
 
     /// P(X >= k).
@@ -121,11 +117,7 @@ impl Trials {
 
     /// k - n p: the product in twice the precision, since at n = 1e9 its rounding would show in the tail.
     fn excess(self, k: f64) -> f64 {
-        if self.p <= self.q {
-            difference(k, self.n, self.p)
-        } else {
-            -difference(self.n - k, self.n, self.q)
-        }
+        if self.p <= self.q { difference(k, self.n, self.p) } else { -difference(self.n - k, self.n, self.q) }
     }
 }
 

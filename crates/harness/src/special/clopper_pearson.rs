@@ -28,17 +28,9 @@ fn lower_limit(n: f64, k: f64, ln_tail: f64) -> Trials {
         return Trials { n, p: 0.0, q: 1.0 };
     }
     if k >= n {
-        return Trials {
-            n,
-            p: libm::exp(ln_tail / n),
-            q: -libm::expm1(ln_tail / n),
-        };
+        return Trials { n, p: libm::exp(ln_tail / n), q: -libm::expm1(ln_tail / n) };
     }
-    let mut trials = Trials {
-        n,
-        p: k / n,
-        q: (n - k) / n,
-    };
+    let mut trials = Trials { n, p: k / n, q: (n - k) / n };
     for _ in 0..1000 {
         let ln_above = trials.ln_at_least(k);
         let slope = k * trials.q * libm::exp(trials.ln_mass(k) - ln_above);
@@ -49,19 +41,11 @@ fn lower_limit(n: f64, k: f64, ln_tail: f64) -> Trials {
             return trials;
         }
     }
-    Trials {
-        n,
-        p: f64::NAN,
-        q: f64::NAN,
-    }
+    Trials { n, p: f64::NAN, q: f64::NAN }
 }
 
 /// The trials with their odds p / q multiplied.
 fn with_odds(trials: Trials, factor: f64) -> Trials {
     let sum = trials.q + trials.p * factor;
-    Trials {
-        p: trials.p * factor / sum,
-        q: trials.q / sum,
-        ..trials
-    }
+    Trials { p: trials.p * factor / sum, q: trials.q / sum, ..trials }
 }

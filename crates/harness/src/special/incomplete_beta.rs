@@ -14,9 +14,6 @@ pub(super) fn beta_fraction(a: f64, b: f64, (x, y): (f64, f64), lambda: f64) -> 
         let s = a + 2.0 * m;
         let w = m * (b - m) * x / (s - 1.0);
         let numerator = w * x * (a + m - 1.0) * (a + b + m - 1.0) / (s - 1.0);
-        (
-            numerator,
-            m + w + (a + m) * (lambda + 1.0 + m * (1.0 + y)) / (s + 1.0),
-        )
+        (numerator, m + w + (a + m) * (lambda + 1.0 + m * (1.0 + y)) / (s + 1.0))
     })
 }

@@ -35,9 +35,5 @@ pub fn normal_two_sided(z: f64) -> f64 {
 /// 1 - p is in a double. Source: statrs (the rational fits of Boost).
 #[must_use]
 pub fn normal_quantile(p: f64) -> f64 {
-    if (0.0..=1.0).contains(&p) {
-        SQRT_2 * statrs::function::erf::erfc_inv(2.0 * p)
-    } else {
-        f64::NAN
-    }
+    if (0.0..=1.0).contains(&p) { SQRT_2 * statrs::function::erf::erfc_inv(2.0 * p) } else { f64::NAN }
 }

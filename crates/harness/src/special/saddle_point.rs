@@ -29,9 +29,6 @@ pub(super) fn deviance(k: f64, mean: f64, excess: f64) -> f64 {
     if v.abs() >= 0.2 {
         return k * libm::log(k / mean) - excess;
     }
-    let odd_powers = (3..30)
-        .step_by(2)
-        .rev()
-        .fold(0.0, |sum, odd| sum * v * v + 1.0 / f64::from(odd));
+    let odd_powers = (3..30).step_by(2).rev().fold(0.0, |sum, odd| sum * v * v + 1.0 / f64::from(odd));
     excess * v + 2.0 * k * odd_powers * v * v * v
 }

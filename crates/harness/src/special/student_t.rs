@@ -56,11 +56,7 @@ fn tail(a: f64, t: f64) -> f64 {
 /// x^a y^(1/2) / B(a, 1/2) / 2.
 fn weight(a: f64, t: f64) -> f64 {
     let r = t / (SQRT_2 * a.sqrt());
-    let ln_1_plus_r2 = if r < 1e9 {
-        libm::log1p(r * r)
-    } else {
-        2.0 * libm::log(r)
-    };
+    let ln_1_plus_r2 = if r < 1e9 { libm::log1p(r * r) } else { 2.0 * libm::log(r) };
     let gammas = a * libm::log1p(0.5 / a) - 0.5 + stirling_error(a + 0.5) - stirling_error(a);
     let root_y = if r < 1e9 { r / (1.0 + r * r).sqrt() } else { 1.0 };
     0.5 * root_y * (a * FRAC_1_PI).sqrt() * libm::exp(gammas - a * ln_1_plus_r2)

@@ -21,10 +21,7 @@ impl CellTally {
     /// Empty counts for the cells of `law`.
     #[must_use]
     pub fn new(law: &Law) -> Self {
-        Self {
-            cells: vec![0; law.cells()],
-            ..Self::default()
-        }
+        Self { cells: vec![0; law.cells()], ..Self::default() }
     }
 
     /// All draws counted.
@@ -108,16 +105,7 @@ mod tests {
     fn every_draw_is_counted_once() {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let mut tally = CellTally::new(&law);
-        let t = [
-            0.0,
-            1.0,
-            2.0,
-            f64::INFINITY,
-            f64::NAN,
-            -1e-9,
-            2.1,
-            f64::NEG_INFINITY,
-        ];
+        let t = [0.0, 1.0, 2.0, f64::INFINITY, f64::NAN, -1e-9, 2.1, f64::NEG_INFINITY];
         tally.observe(&law, &t, &mut Vec::new());
         assert_eq!((tally.collided(), tally.escapes), (3, 1));
         assert_eq!((tally.non_finite, tally.out_of_support, tally.draws()), (1, 3, 8));

@@ -20,28 +20,16 @@ impl CountTally {
     /// Empty counts of collisions alone.
     #[must_use]
     pub fn marginal() -> Self {
-        Self {
-            counts: vec![0; ROWS],
-            columns: 1,
-            group: Vec::new(),
-        }
+        Self { counts: vec![0; ROWS], columns: 1, group: Vec::new() }
     }
 
     /// Empty counts of collisions by group of t.
     #[must_use]
     pub fn joint(law: &Law) -> Self {
         let groups = Self::groups(law);
-        let of_cell = groups
-            .bounds
-            .windows(2)
-            .enumerate()
-            .flat_map(|(g, w)| (w[0]..w[1]).map(move |_| g as u8));
+        let of_cell = groups.bounds.windows(2).enumerate().flat_map(|(g, w)| (w[0]..w[1]).map(move |_| g as u8));
         let columns = groups.mass.len() + 1;
-        Self {
-            counts: vec![0; ROWS * columns],
-            columns,
-            group: of_cell.collect(),
-        }
+        Self { counts: vec![0; ROWS * columns], columns, group: of_cell.collect() }
     }
 
     /// The groups of t that a joint table uses.

@@ -33,11 +33,7 @@ impl Scores {
         let escape = ((1.0 - 0.5 * law.atom()) * UNIT).round();
         let cells: Vec<f64> = (0..law.cells()).map(raw).collect();
         let weighted = |f: &dyn Fn(f64) -> f64| {
-            let inside: f64 = cells
-                .iter()
-                .enumerate()
-                .map(|(k, &score)| law.mass(k) * f(score))
-                .sum();
+            let inside: f64 = cells.iter().enumerate().map(|(k, &score)| law.mass(k) * f(score)).sum();
             inside + law.atom() * f(escape)
         };
         let mean = weighted(&|score| score).round();
@@ -77,11 +73,7 @@ impl Scores {
 
     #[inline(always)]
     fn of(&self, cell: u32) -> i32 {
-        if cell == ESCAPE {
-            self.escape
-        } else {
-            self.cells.get(cell as usize).copied().unwrap_or(0)
-        }
+        if cell == ESCAPE { self.escape } else { self.cells.get(cell as usize).copied().unwrap_or(0) }
     }
 }
 

@@ -31,16 +31,7 @@ impl PowerSums {
     #[must_use]
     pub fn new(center: f64) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self {
-            center,
-            n: 0,
-            sums: [0.0; 4],
-            least,
-            greatest,
-            zeros: 0,
-            ones: 0,
-            non_finite: 0,
-        }
+        Self { center, n: 0, sums: [0.0; 4], least, greatest, zeros: 0, ones: 0, non_finite: 0 }
     }
 
     /// The sums of one column: always in the same order of additions.
@@ -67,11 +58,7 @@ impl PowerSums {
             (powers[0][i], powers[1][i]) = (y, y * y);
             (powers[2][i], powers[3][i]) = (y * y * y, y * y * (y * y));
             total.least = if finite && x < total.least { x } else { total.least };
-            total.greatest = if finite && x > total.greatest {
-                x
-            } else {
-                total.greatest
-            };
+            total.greatest = if finite && x > total.greatest { x } else { total.greatest };
             total.n += u64::from(finite);
             total.zeros += u64::from(x.abs() <= 0.0);
             total.ones += u64::from((x - 1.0).abs() <= 0.0);
@@ -89,16 +76,8 @@ impl PowerSums {
         for (a, b) in self.sums.iter_mut().zip(&next.sums) {
             *a += b;
         }
-        self.least = if next.least < self.least {
-            next.least
-        } else {
-            self.least
-        };
-        self.greatest = if next.greatest > self.greatest {
-            next.greatest
-        } else {
-            self.greatest
-        };
+        self.least = if next.least < self.least { next.least } else { self.least };
+        self.greatest = if next.greatest > self.greatest { next.greatest } else { self.greatest };
         self.n += next.n;
         self.zeros += next.zeros;
         self.ones += next.ones;
@@ -159,8 +138,7 @@ impl Running {
     pub fn note(&mut self, sums: &PowerSums) {
         let last = self.points.last().map_or(0, |point| point.0);
         if sums.n as f64 >= 1.07 * last as f64 && sums.n > 1 {
-            self.points
-                .push((sums.n, sums.center + sums.bias(), sums.variance()));
+            self.points.push((sums.n, sums.center + sums.bias(), sums.variance()));
         }
     }
 }

@@ -74,11 +74,7 @@ impl TieTally {
 
     /// Takes in what another worker holds. The outcome does not depend on who held what.
     pub fn merge(&mut self, other: Self) {
-        self.halvings = if other.halvings > self.halvings {
-            other.halvings
-        } else {
-            self.halvings
-        };
+        self.halvings = if other.halvings > self.halvings { other.halvings } else { self.halvings };
         self.held.extend(other.held);
         self.first.extend(other.first);
         self.drop_above();

@@ -21,11 +21,7 @@ pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evid
 
 /// difference / error, 0 if there is no difference: 0 / 0 where nothing varies.
 pub(super) fn standardised(difference: f64, error: f64) -> f64 {
-    if difference == 0.0 {
-        0.0
-    } else {
-        difference / error
-    }
+    if difference == 0.0 { 0.0 } else { difference / error }
 }
 
 /// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.

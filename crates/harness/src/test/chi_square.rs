@@ -26,10 +26,7 @@ pub(crate) fn least_expected(cells: usize) -> f64 {
 pub fn chi_square(name: &str, law: &Law, tally: &CellTally, wanted: usize, reason: Reason) -> Evidence {
     let (n, seen) = (tally.draws() as f64, residuals(law, tally, wanted));
     let Some((_, residual, _)) = seen else {
-        let why = format!(
-            "fewer than two cells would expect {} of {n} draws",
-            least_expected(2)
-        );
+        let why = format!("fewer than two cells would expect {} of {n} draws", least_expected(2));
         return Evidence::withheld(name, f64::NAN, reason, why);
     };
     let statistic: f64 = residual.iter().map(|r| r * r).sum();
@@ -53,10 +50,7 @@ pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups,
         *o += tally.escapes;
         *m += law.atom();
     }
-    let residual = observed
-        .iter()
-        .zip(&mass)
-        .map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * law.slack()));
+    let residual = observed.iter().zip(&mass).map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * law.slack()));
     let residual = residual.collect();
     Some((groups, residual, escape))
 }
@@ -88,13 +82,8 @@ mod tests {
 
     fn tally(rate: f64) -> (Law, CellTally) {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
-        let t: Vec<f64> = (0..100_000)
-            .map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate)
-            .collect();
-        let t: Vec<f64> = t
-            .iter()
-            .map(|&t| if t < 2.0 { t } else { f64::INFINITY })
-            .collect();
+        let t: Vec<f64> = (0..100_000).map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate).collect();
+        let t: Vec<f64> = t.iter().map(|&t| if t < 2.0 { t } else { f64::INFINITY }).collect();
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &t, &mut Vec::new());
         (law, tally)
@@ -114,9 +103,6 @@ mod tests {
     fn too_few_draws_are_withheld() {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let empty = CellTally::new(&law);
-        assert_eq!(
-            chi_square("chi_square_16", &law, &empty, 16, Reason::WrongLaw).p,
-            None
-        );
+        assert_eq!(chi_square("chi_square_16", &law, &empty, 16, Reason::WrongLaw).p, None);
     }
 }

@@ -23,11 +23,7 @@ pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, r
         mass.extend(column_mass(law, bounds[0], bounds[1], &null_depth, tally.rows()));
         observed.extend((0..tally.rows()).map(|n| tally.count(n, column)));
     }
-    mass.extend(
-        pmf_or_none(null_depth(law.length()), tally.rows())
-            .iter()
-            .map(|p| p * law.atom()),
-    );
+    mass.extend(pmf_or_none(null_depth(law.length()), tally.rows()).iter().map(|p| p * law.atom()));
     observed.extend((0..tally.rows()).map(|n| tally.count(n, tally.columns() - 1)));
     pooled("coleman", &observed, &mass, 2.0 * law.slack(), reason)
 }

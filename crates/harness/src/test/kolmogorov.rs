@@ -22,11 +22,7 @@ pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let (low, high) = bracket(law, tally, m as f64);
     let slack = 2.0 * law.slack() / law.collided(); // of F(t) and of F(length)
     let d = if low > slack { low - slack } else { 0.0 };
-    let p = if low.is_nan() {
-        f64::NAN
-    } else {
-        ks_two_sided(m, d)
-    };
+    let p = if low.is_nan() { f64::NAN } else { ks_two_sided(m, d) };
     Evidence::new("kolmogorov", low, None, p, reason).noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 
@@ -39,10 +35,7 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 fn bracket(law: &Law, tally: &CellTally, m: f64) -> (f64, f64) {
     let (mut below, mut low, mut high) = (0, 0.0, 0.0);
     for (k, &count) in tally.cells.iter().enumerate() {
-        let (start, end) = (
-            law.mass_between(0, k) / law.collided(),
-            law.mass_between(0, k + 1) / law.collided(),
-        );
+        let (start, end) = (law.mass_between(0, k) / law.collided(), law.mass_between(0, k + 1) / law.collided());
         let (before, after) = (below as f64 / m, (below + count) as f64 / m);
         low = larger(low, (after - end).abs());
         high = larger(high, larger(after - start, end - before));
@@ -57,13 +50,8 @@ mod tests {
 
     fn p(rate: f64) -> Option<f64> {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
-        let t: Vec<f64> = (0..100_000)
-            .map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate)
-            .collect();
-        let t: Vec<f64> = t
-            .iter()
-            .map(|&t| if t < 2.0 { t } else { f64::INFINITY })
-            .collect();
+        let t: Vec<f64> = (0..100_000).map(|i| -libm::log(1.0 - (f64::from(i) + 0.5) / 1e5) / rate).collect();
+        let t: Vec<f64> = t.iter().map(|&t| if t < 2.0 { t } else { f64::INFINITY }).collect();
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &t, &mut Vec::new());
         kolmogorov(&law, &tally, Reason::WrongLaw).p
@@ -71,13 +59,7 @@ mod tests {
 
     #[test]
     fn a_nan_inside_the_law_rejects() {
-        let law = Law::new(2.0, 0.0, |t| {
-            if (0.9..1.0).contains(&t) {
-                f64::NAN
-            } else {
-                libm::exp(-t)
-            }
-        });
+        let law = Law::new(2.0, 0.0, |t| if (0.9..1.0).contains(&t) { f64::NAN } else { libm::exp(-t) });
         let mut tally = CellTally::new(&law);
         tally.observe(&law, &[0.3, 1.2], &mut Vec::new());
         assert_eq!(kolmogorov(&law, &tally, Reason::WrongLaw).p, Some(0.0));

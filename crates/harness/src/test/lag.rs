@@ -25,20 +25,11 @@ pub fn lag(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     }
     let (pairs, mean) = (tally.pairs as f64, scores.mean_of(cells));
     let skewness = scores.skewness() * scores.skewness() / pairs.sqrt();
-    let z = standardised(
-        tally.products as f64 - pairs * mean * mean,
-        scores.variance() * pairs.sqrt(),
-    );
+    let z = standardised(tally.products as f64 - pairs * mean * mean, scores.variance() * pairs.sqrt());
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
     }
-    Evidence::new(
-        "lag_1",
-        z,
-        None,
-        pearson_two_sided(skewness, z),
-        Reason::Dependent,
-    )
+    Evidence::new("lag_1", z, None, pearson_two_sided(skewness, z), Reason::Dependent)
 }
 
 #[cfg(test)]
@@ -67,9 +58,8 @@ mod tests {
         let law = Law::new(5.0, 0.0, |t| libm::exp(-t));
         let streams = freepath_estimators::Key::default();
         let mut rng = streams.rng();
-        let uniform: Vec<f64> = (0..20_000)
-            .map(|_| 2.0 * freepath_estimators::random::uniform(&mut rng))
-            .collect();
+        let uniform: Vec<f64> =
+            (0..20_000).map(|_| 2.0 * freepath_estimators::random::uniform(&mut rng)).collect();
         assert!(evidence(&law, &uniform).p > Some(1e-3));
         let twice: Vec<f64> = uniform.iter().flat_map(|&t| [t, t]).collect();
         assert!(evidence(&law, &twice).p < Some(1e-9));

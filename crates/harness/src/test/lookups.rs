@@ -21,11 +21,7 @@ impl BlockLookups {
     /// Adds one block.
     pub fn observe(&mut self, lookups: u64) {
         let lookups = u128::from(lookups);
-        self.merge(&Self {
-            blocks: 1,
-            sum: lookups,
-            squares: lookups * lookups,
-        });
+        self.merge(&Self { blocks: 1, sum: lookups, squares: lookups * lookups });
     }
 
     /// Whether, all blocks being alike, every draw must have cost the same: nothing, or a whole number in each of several

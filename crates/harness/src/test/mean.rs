@@ -93,11 +93,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     let evidence = match method {
         Method::Binomial => {
             let null = nearest(sums.ones as f64 / n, claim.expected, claim.slack);
-            evidence(
-                bias(sums, claim),
-                None,
-                binomial_two_sided(sums.n, null, sums.ones),
-            )
+            evidence(bias(sums, claim), None, binomial_two_sided(sums.n, null, sums.ones))
         }
         Method::Exact => {
             let same = excess.abs() <= 0.0;
@@ -115,20 +111,13 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
             Evidence::withheld(name, t, reason, why)
         }
     };
-    (
-        evidence.noted_if_empty(&words(sums, claim, method)),
-        interval(sums, claim, method),
-    )
+    (evidence.noted_if_empty(&words(sums, claim, method)), interval(sums, claim, method))
 }
 
 /// Mean, expectation and method in words.
 fn words(sums: &PowerSums, claim: &MeanClaim, method: Method) -> String {
     let mean = sums.center + sums.bias();
-    format!(
-        "mean {mean:.6e}, {:.6e} expected; {}",
-        claim.expected,
-        method.name()
-    )
+    format!("mean {mean:.6e}, {:.6e} expected; {}", claim.expected, method.name())
 }
 
 /// mean - expected, whatever the sums are centred at.
@@ -139,10 +128,7 @@ fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
 /// The bias, brought towards 0 by the slack and by rounding.
 fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     let bias = bias(sums, claim);
-    lessened(
-        bias,
-        claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE,
-    )
+    lessened(bias, claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE)
 }
 
 /// The larger of the sample's and the formula's skewness: a sample that has not seen its tail looks too tame.
@@ -212,10 +198,7 @@ fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f64 {
         return f64::NAN;
     };
     let n = sums.n as f64;
-    let (a, b) = (
-        7.0 * (high - low) / (3.0 * (n - 1.0)),
-        (2.0 * sums.variance() / n).sqrt(),
-    );
+    let (a, b) = (7.0 * (high - low) / (3.0 * (n - 1.0)), (2.0 * sums.variance() / n).sqrt());
     if excess == 0.0 {
         return 1.0; // else 0 / 0 without variance
     }
@@ -232,27 +215,14 @@ pub(crate) fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: 
 fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
     let (bias, n) = (bias(sums, claim), sums.n as f64);
     let error = (sums.variance() / n).sqrt();
-    let (z, power) = (
-        normal_quantile(0.5 * REPORTING_LEVEL),
-        normal_quantile(1.0 - POWER),
-    );
-    let about = |half: f64, detectable: f64| Interval {
-        method,
-        low: bias - half,
-        high: bias + half,
-        detectable,
-    };
+    let (z, power) = (normal_quantile(0.5 * REPORTING_LEVEL), normal_quantile(1.0 - POWER));
+    let about = |half: f64, detectable: f64| Interval { method, low: bias - half, high: bias + half, detectable };
     match (method, claim.range) {
         (Method::Binomial, _) => {
             let (low, high) = clopper_pearson(sums.n, sums.ones, REPORTING_LEVEL);
             let error = (claim.expected * (1.0 - claim.expected) / n).sqrt();
             let detectable = (z + power) * error;
-            Interval {
-                method,
-                low: low - claim.expected,
-                high: high - claim.expected,
-                detectable,
-            }
+            Interval { method, low: low - claim.expected, high: high - claim.expected, detectable }
         }
         (Method::Exact, _) => {
             let rounding = ROUNDING * claim.expected.abs() + claim.slack;
@@ -264,9 +234,7 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
         }
         (Method::None, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY, f64::INFINITY),
         (Method::StudentT, _) => about(z * error, (z + power) * error),
-        (Method::SkewnessCorrected, _) => {
-            corrected_limits(sums, z, bias, about(z * error, (z + power) * error))
-        }
+        (Method::SkewnessCorrected, _) => corrected_limits(sums, z, bias, about(z * error, (z + power) * error)),
     }
 }
 
@@ -274,11 +242,7 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
 fn corrected_limits(sums: &PowerSums, z: f64, bias: f64, symmetric: Interval) -> Interval {
     let (n, error) = (sums.n as f64, (sums.variance() / sums.n as f64).sqrt());
     let t = |score| corrected_t(score, sums.skewness(), n);
-    Interval {
-        low: bias - t(z) * error,
-        high: bias - t(-z) * error,
-        ..symmetric
-    }
+    Interval { low: bias - t(z) * error, high: bias - t(-z) * error, ..symmetric }
 }
 
 /// The t that [`corrected_p`] takes for a normal score: 1 + s U / 3 = cbrt(1 + s (score / sqrt(n) - s / (6 n))).
@@ -293,11 +257,7 @@ fn corrected_t(score: f64, skewness: f64, n: f64) -> f64 {
 
 impl Evidence {
     fn noted_if_empty(self, note: &str) -> Self {
-        if self.note.is_empty() {
-            self.noted(note)
-        } else {
-            self
-        }
+        if self.note.is_empty() { self.noted(note) } else { self }
     }
 }
 
@@ -305,14 +265,8 @@ impl Evidence {
 mod tests {
     use super::*;
 
-    const CLAIM: MeanClaim = MeanClaim {
-        expected: 0.25,
-        slack: 0.0,
-        binary: false,
-        range: None,
-        variance: None,
-        skewness: None,
-    };
+    const CLAIM: MeanClaim =
+        MeanClaim { expected: 0.25, slack: 0.0, binary: false, range: None, variance: None, skewness: None };
 
     fn judged(draws: &[f64], claim: MeanClaim) -> (Evidence, Interval) {
         let sums = PowerSums::of(claim.expected, draws);
@@ -328,18 +282,9 @@ mod tests {
 
     #[test]
     fn walks_that_met_nothing_say_nothing() {
-        let thin = MeanClaim {
-            expected: 1.0 - 1e-7,
-            ..CLAIM
-        };
-        let noisy = MeanClaim {
-            variance: Some(1e-7),
-            ..thin
-        };
-        let bounded = MeanClaim {
-            range: Some((0.0, 1.0)),
-            ..noisy
-        };
+        let thin = MeanClaim { expected: 1.0 - 1e-7, ..CLAIM };
+        let noisy = MeanClaim { variance: Some(1e-7), ..thin };
+        let bounded = MeanClaim { range: Some((0.0, 1.0)), ..noisy };
         assert_eq!(judged(&[1.0; 10_000], thin).0.p, None);
         assert_eq!(judged(&[0.0; 10_000], CLAIM).0.p, None);
         assert_eq!(judged(&[1.0; 10_000], noisy).0.p, None);
@@ -349,21 +294,14 @@ mod tests {
 
     #[test]
     fn rounding_is_no_bias() {
-        let draws: Vec<f64> = (0..100_000)
-            .map(|i| 0.25 * (1.0 + 1e-15 + 1e-12 * f64::from(i % 3 - 1)))
-            .collect();
+        let draws: Vec<f64> = (0..100_000).map(|i| 0.25 * (1.0 + 1e-15 + 1e-12 * f64::from(i % 3 - 1))).collect();
         assert!(judged(&draws, CLAIM).0.p > Some(0.9));
     }
 
     #[test]
     fn powers_that_underflow_are_not_taken_for_a_symmetric_law() {
-        let draws: Vec<f64> = (0..10_000)
-            .map(|i| if i == 7 { 1e-110 } else { 1e-130 })
-            .collect();
-        let tiny = MeanClaim {
-            expected: 1e-112,
-            ..CLAIM
-        };
+        let draws: Vec<f64> = (0..10_000).map(|i| if i == 7 { 1e-110 } else { 1e-130 }).collect();
+        let tiny = MeanClaim { expected: 1e-112, ..CLAIM };
         assert_eq!(judged(&draws, tiny).0.p, None);
     }
 

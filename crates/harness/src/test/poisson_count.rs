@@ -19,11 +19,7 @@ pub fn poisson_count(tally: &CountTally, mean: f64, slack: f64) -> Evidence {
 pub(super) fn pmf(mean: f64, rows: usize) -> Vec<f64> {
     let log_mean = libm::log(mean);
     let one = |n: usize| {
-        let log = if n == 0 {
-            -mean
-        } else {
-            n as f64 * log_mean - mean - libm::lgamma(n as f64 + 1.0)
-        };
+        let log = if n == 0 { -mean } else { n as f64 * log_mean - mean - libm::lgamma(n as f64 + 1.0) };
         libm::exp(log)
     };
     let mut all: Vec<f64> = (0..rows).map(one).collect();
@@ -45,18 +41,9 @@ pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], slack: f64, rea
         cells.len() >= 2 && cells.iter().all(|cell| cell.1 >= least)
     };
     let Some(cells) = tables.into_iter().find(enough) else {
-        return Evidence::withheld(
-            name,
-            f64::NAN,
-            reason,
-            "fewer than two cells would expect 400 draws",
-        );
+        return Evidence::withheld(name, f64::NAN, reason, "fewer than two cells would expect 400 draws");
     };
-    let statistic: f64 = cells
-        .iter()
-        .map(|&(o, e)| residual(o as f64, e, slack * n as f64))
-        .map(|r| r * r)
-        .sum();
+    let statistic: f64 = cells.iter().map(|&(o, e)| residual(o as f64, e, slack * n as f64)).map(|r| r * r).sum();
     let dof = (cells.len() - 1) as f64;
     Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
 }
@@ -92,11 +79,8 @@ mod tests {
     #[test]
     fn another_mean_is_rejected() {
         let mut tally = CountTally::marginal();
-        let counts: Vec<u32> = pmf(2.0, 20)
-            .iter()
-            .enumerate()
-            .flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize])
-            .collect();
+        let counts: Vec<u32> =
+            pmf(2.0, 20).iter().enumerate().flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize]).collect();
         tally.observe(&counts, &[]);
         assert!(poisson_count(&tally, 2.0, 0.0).p > Some(0.99));
         assert!(poisson_count(&tally, 2.1, 0.0).p < Some(1e-9));

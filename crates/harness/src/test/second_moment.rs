@@ -26,24 +26,16 @@ pub fn second_moment(sums: &PowerSums, moments: &[f64; 6], slack: f64) -> Eviden
     let [_, m2, _, m4, _, m6] = *moments;
     let (n, c) = (sums.n as f64, sums.center);
     let mean_square = c * c + 2.0 * c * sums.sums[0] / n + sums.sums[1] / n;
-    let excess = lessened(
-        mean_square - m2,
-        FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack,
-    );
+    let excess = lessened(mean_square - m2, FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack);
     let (variance, lost) = (m4 - m2 * m2, 1e-9 * m4);
     let known = !(variance <= lost);
     let third = m6 - 3.0 * m4 * m2 + 2.0 * m2 * m2 * m2;
-    let skewness = if known {
-        third / (variance * variance.sqrt())
-    } else {
-        0.0
-    };
+    let skewness = if known { third / (variance * variance.sqrt()) } else { 0.0 };
     let z = standardised(excess, ((if known { variance } else { lost }) / n).sqrt());
     let tiny = m2 > 0.0 && !(m4 > 1e-180);
     if tiny || !gate(skewness, n).1 {
-        let why = format!(
-            "skewness {skewness:.3e} of the squares is too large for {n} draws, or they are too small"
-        );
+        let why =
+            format!("skewness {skewness:.3e} of the squares is too large for {n} draws, or they are too small");
         return Evidence::withheld("second_moment", z, Reason::WrongVariance, why);
     }
     let p = pearson_two_sided(skewness / n.sqrt(), z);

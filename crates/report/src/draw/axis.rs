@@ -24,26 +24,14 @@ impl Axis {
             0 => label.into(),
             n => format!("{label}, in {}", power(n)),
         };
-        Self {
-            lo,
-            hi,
-            log: false,
-            label,
-            ticks,
-        }
+        Self { lo, hi, log: false, label, ticks }
     }
 
     /// A logarithmic axis.
     pub(crate) fn log(label: &str, lo: f64, hi: f64) -> Self {
         let usable = lo > 1e-300 && hi.is_finite() && hi > lo;
         let (lo, hi) = if usable { (lo, hi) } else { (1.0, 10.0) };
-        Self {
-            lo,
-            hi,
-            log: true,
-            label: label.into(),
-            ticks: log_ticks(lo, hi),
-        }
+        Self { lo, hi, log: true, label: label.into(), ticks: log_ticks(lo, hi) }
     }
 
     /// The same axis with ticks at `values` that lie on it.
@@ -67,16 +55,10 @@ fn linear_ticks(lo: f64, hi: f64, count: usize) -> (Vec<(f64, String)>, i32) {
     let factor = if (-2..5).contains(&largest) { 0 } else { largest };
     let decimals = usize::try_from(factor - exponent(step)).unwrap_or(0);
     let first = libm::ceil(lo / step - 1e-9);
-    let places = (0..30)
-        .map(|i| (first + f64::from(i)) * step)
-        .take_while(|&x| x <= hi + 1e-9 * step);
+    let places = (0..30).map(|i| (first + f64::from(i)) * step).take_while(|&x| x <= hi + 1e-9 * step);
     let label = |x: f64| {
         let text = format!("{:.*}", decimals.min(12), x / ten(factor));
-        if text.trim_start_matches(['-', '0', '.']).is_empty() {
-            "0".into()
-        } else {
-            text.replace('-', "−")
-        }
+        if text.trim_start_matches(['-', '0', '.']).is_empty() { "0".into() } else { text.replace('-', "−") }
     };
     (places.map(|x| (x, label(x))).collect(), factor)
 }
@@ -84,43 +66,25 @@ fn linear_ticks(lo: f64, hi: f64, count: usize) -> (Vec<(f64, String)>, i32) {
 /// The smallest of 1, 2, 5 times a power of ten that is at least `x`.
 fn nice(x: f64) -> f64 {
     let base = ten(exponent(x));
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|m| m * base >= x * (1.0 - 1e-9))
-        .unwrap_or(10.0)
-        * base;
+    let step = [1.0, 2.0, 5.0, 10.0].into_iter().find(|m| m * base >= x * (1.0 - 1e-9)).unwrap_or(10.0) * base;
     if step > 0.0 { step } else { 1.0 }
 }
 
 fn log_ticks(lo: f64, hi: f64) -> Vec<(f64, String)> {
-    let (first, last) = (
-        libm::floor(libm::log10(lo)) as i32,
-        libm::ceil(libm::log10(hi)) as i32,
-    );
+    let (first, last) = (libm::floor(libm::log10(lo)) as i32, libm::ceil(libm::log10(hi)) as i32);
     let inside = |x: f64| x >= lo * (1.0 - 1e-9) && x <= hi * (1.0 + 1e-9);
     let at = |multiples: &[f64], step: i32| -> Vec<f64> {
         let decades = (first..=last).filter(|n| n % step == 0);
-        decades
-            .flat_map(|n| multiples.iter().map(move |m| m * ten(n)))
-            .filter(|&x| inside(x))
-            .collect()
+        decades.flat_map(|n| multiples.iter().map(move |m| m * ten(n))).filter(|&x| inside(x)).collect()
     };
     let mut values = at(&[1.0], 1 + (last - first) / 8);
-    for multiples in [
-        &[1.0, 3.0][..],
-        &[1.0, 2.0, 5.0],
-        &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
-    ] {
+    for multiples in [&[1.0, 3.0][..], &[1.0, 2.0, 5.0], &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]] {
         if values.len() < 3 {
             values = at(multiples, 1);
         }
     }
     if values.len() < 2 {
-        return linear_ticks(lo, hi, 3)
-            .0
-            .into_iter()
-            .map(|(x, _)| (x, short(x)))
-            .collect();
+        return linear_ticks(lo, hi, 3).0.into_iter().map(|(x, _)| (x, short(x))).collect();
     }
     values.into_iter().map(|x| (x, log_label(x))).collect()
 }
@@ -128,11 +92,7 @@ fn log_ticks(lo: f64, hi: f64) -> Vec<(f64, String)> {
 fn log_label(x: f64) -> String {
     let n = libm::round(libm::log10(x)) as i32;
     let whole = (x / ten(n) - 1.0).abs() < 1e-9;
-    if whole && !(-2..4).contains(&n) {
-        power(n)
-    } else {
-        short(x)
-    }
+    if whole && !(-2..4).contains(&n) { power(n) } else { short(x) }
 }
 
 #[cfg(test)]
@@ -145,36 +105,17 @@ mod tests {
 
     #[test]
     fn ticks_are_round_numbers() {
-        assert_eq!(
-            labels(&Axis::linear("t", 0.0, 2.0, 4)),
-            ["0", "0.5", "1.0", "1.5", "2.0"]
-        );
+        assert_eq!(labels(&Axis::linear("t", 0.0, 2.0, 4)), ["0", "0.5", "1.0", "1.5", "2.0"]);
         let small = Axis::linear("F", -3e-4, 3e-4, 4);
         assert_eq!(labels(&small), ["−2", "0", "2"]);
         assert_eq!(small.label, "F, in 10⁻⁴");
-        assert_eq!(
-            labels(&Axis::log("n", 100.0, 1e6)),
-            ["100", "1000", "10⁴", "10⁵", "10⁶"]
-        );
-        assert_eq!(
-            labels(&Axis::log("n", 2e-6, 2e-4)),
-            ["3×10⁻⁶", "10⁻⁵", "3×10⁻⁵", "10⁻⁴"]
-        );
+        assert_eq!(labels(&Axis::log("n", 100.0, 1e6)), ["100", "1000", "10⁴", "10⁵", "10⁶"]);
+        assert_eq!(labels(&Axis::log("n", 2e-6, 2e-4)), ["3×10⁻⁶", "10⁻⁵", "3×10⁻⁵", "10⁻⁴"]);
     }
 
     #[test]
     fn no_range_breaks_an_axis() {
-        let odd = [
-            f64::NAN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-            0.0,
-            -1.0,
-            1e300,
-            -1e308,
-            1e308,
-            5e-324,
-        ];
+        let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 1e300, -1e308, 1e308, 5e-324];
         for lo in odd {
             for hi in odd {
                 for axis in [Axis::linear("", lo, hi, 5), Axis::log("", lo, hi)] {

@@ -22,6 +22,5 @@ pub(crate) fn width_of(text: &str, size: f64) -> f64 {
         return guess;
     }
     let big = ("sans-serif", 16.0 * size * PER_PIXEL).into_font();
-    big.box_size(text)
-        .map_or(guess, |(width, _)| f64::from(width) / 16.0)
+    big.box_size(text).map_or(guess, |(width, _)| f64::from(width) / 16.0)
 }

@@ -25,17 +25,8 @@ pub(crate) struct Inset {
 impl Inset {
     /// Enough for the ticks of `y` on the left and both labels.
     pub(crate) fn around(y: &Axis) -> Self {
-        let widest = y
-            .ticks
-            .iter()
-            .map(|(_, label)| width_of(label, SMALL))
-            .fold(22.0, f64::max);
-        Self {
-            left: widest + 16.0,
-            top: 30.0,
-            right: 22.0,
-            bottom: 44.0,
-        }
+        let widest = y.ticks.iter().map(|(_, label)| width_of(label, SMALL)).fold(22.0, f64::max);
+        Self { left: widest + 16.0, top: 30.0, right: 22.0, bottom: 44.0 }
     }
 }
 
@@ -60,33 +51,17 @@ impl Picture {
     /// Draws an empty panel of the whole picture but for `inset`.
     pub(crate) fn frame(&mut self, x: Axis, y: Axis, inset: Inset) -> Frame {
         let (right, bottom) = (self.width - inset.right, self.height - inset.bottom);
-        let frame = Frame {
-            left: inset.left,
-            top: inset.top,
-            right,
-            bottom,
-            x,
-            y,
-        };
+        let frame = Frame { left: inset.left, top: inset.top, right, bottom, x, y };
         self.x_ticks(&frame);
         self.y_ticks(&frame);
         let corner = (frame.left, frame.bottom);
-        self.line(
-            vec![corner, (frame.right, frame.bottom)],
-            Stroke::new(Ink::Axis, 1.0),
-        );
+        self.line(vec![corner, (frame.right, frame.bottom)], Stroke::new(Ink::Axis, 1.0));
         let middle = (0.5 * (frame.left + frame.right), frame.bottom + 34.0);
         self.text(middle, frame.x.label.clone(), SIZE, Ink::Text, Align::Center);
         // A label that is wider than its panel starts further left.
         let last = self.width - width_of(&frame.y.label, SIZE) - 4.0;
         let left = if frame.left > last { last } else { frame.left };
-        self.text(
-            (left, frame.top - 15.0),
-            frame.y.label.clone(),
-            SIZE,
-            Ink::Text,
-            Align::Left,
-        );
+        self.text((left, frame.top - 15.0), frame.y.label.clone(), SIZE, Ink::Text, Align::Left);
         self.frames.push(frame.clone());
         frame
     }
@@ -95,20 +70,11 @@ impl Picture {
         let mut free = f64::NEG_INFINITY;
         for (value, label) in &frame.x.ticks {
             let Some(x) = frame.across(*value) else { continue };
-            self.line(
-                vec![(x, frame.top), (x, frame.bottom + 4.0)],
-                Stroke::new(Ink::Grid, 1.0),
-            );
+            self.line(vec![(x, frame.top), (x, frame.bottom + 4.0)], Stroke::new(Ink::Grid, 1.0));
             let half = 0.5 * width_of(label, SMALL);
             let middle = x.min(self.width - half - 1.0).max(half + 1.0);
             if middle - half > free {
-                self.text(
-                    (middle, frame.bottom + 14.0),
-                    label.clone(),
-                    SMALL,
-                    Ink::Muted,
-                    Align::Center,
-                );
+                self.text((middle, frame.bottom + 14.0), label.clone(), SMALL, Ink::Muted, Align::Center);
                 free = middle + half + 5.0;
             }
         }
@@ -118,18 +84,9 @@ impl Picture {
         let mut free = f64::INFINITY;
         for (value, label) in &frame.y.ticks {
             let Some(y) = frame.up(*value) else { continue };
-            self.line(
-                vec![(frame.left, y), (frame.right, y)],
-                Stroke::new(Ink::Grid, 1.0),
-            );
+            self.line(vec![(frame.left, y), (frame.right, y)], Stroke::new(Ink::Grid, 1.0));
             if y < free {
-                self.text(
-                    (frame.left - 8.0, y),
-                    label.clone(),
-                    SMALL,
-                    Ink::Muted,
-                    Align::Right,
-                );
+                self.text((frame.left - 8.0, y), label.clone(), SMALL, Ink::Muted, Align::Right);
                 free = y - SMALL - 2.0;
             }
         }

@@ -17,14 +17,7 @@ pub(crate) enum Ink {
 }
 
 /// The colours of series, in order.
-pub(crate) const SERIES: [Ink; 6] = [
-    Ink::Blue,
-    Ink::Vermillion,
-    Ink::Green,
-    Ink::Purple,
-    Ink::Orange,
-    Ink::Sky,
-];
+pub(crate) const SERIES: [Ink; 6] = [Ink::Blue, Ink::Vermillion, Ink::Green, Ink::Purple, Ink::Orange, Ink::Sky];
 
 impl Ink {
     pub(crate) const ALL: [Self; 11] = [

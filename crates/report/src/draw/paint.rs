@@ -16,12 +16,7 @@ pub(crate) const SVG_DENSITY: f64 = 4.0;
 
 /// Writes `picture` as a PNG file; `path` must end in `.png`.
 pub(crate) fn png(picture: &Picture, path: &Path) -> Result<(), ReportError> {
-    paint(
-        BitMapBackend::new(path, size(picture, PNG_DENSITY)),
-        picture,
-        PNG_DENSITY,
-        true,
-    )
+    paint(BitMapBackend::new(path, size(picture, PNG_DENSITY)), picture, PNG_DENSITY, true)
 }
 
 /// `picture` as plotters writes it in SVG, without a background.
@@ -33,27 +28,15 @@ pub(crate) fn raw_svg(picture: &Picture) -> Result<String, ReportError> {
 }
 
 fn size(picture: &Picture, density: f64) -> (u32, u32) {
-    (
-        (picture.width * density) as u32,
-        (picture.height * density) as u32,
-    )
+    ((picture.width * density) as u32, (picture.height * density) as u32)
 }
 
-fn paint<B: DrawingBackend>(
-    backend: B,
-    picture: &Picture,
-    density: f64,
-    fill: bool,
-) -> Result<(), ReportError> {
+fn paint<B: DrawingBackend>(backend: B, picture: &Picture, density: f64, fill: bool) -> Result<(), ReportError> {
     if !register() {
         return Err(ReportError::Draw("the built-in font is not readable".into()));
     }
     let area = backend.into_drawing_area();
-    let painter = Painter {
-        area,
-        density,
-        marks_dashes: !fill,
-    };
+    let painter = Painter { area, density, marks_dashes: !fill };
     if fill {
         painter.area.fill(&WHITE).map_err(failed)?;
     }
@@ -80,20 +63,8 @@ impl<B: DrawingBackend> Painter<B> {
             Shape::Line { points, stroke } => self.line(points, *stroke),
             Shape::Area { points, ink, alpha } => self.polygon(points, *ink, *alpha),
             Shape::Rect { from, to, ink, alpha } => self.rect(*from, *to, color(*ink).mix(*alpha)),
-            Shape::Mark {
-                at,
-                mark,
-                ink,
-                radius,
-                hollow,
-            } => self.mark(*at, *mark, *ink, *radius, *hollow),
-            Shape::Text {
-                at,
-                text,
-                size,
-                ink,
-                align,
-            } => self.text(*at, text, *size, *ink, *align),
+            Shape::Mark { at, mark, ink, radius, hollow } => self.mark(*at, *mark, *ink, *radius, *hollow),
+            Shape::Text { at, text, size, ink, align } => self.text(*at, text, *size, *ink, *align),
         }
     }
 
@@ -107,11 +78,7 @@ impl<B: DrawingBackend> Painter<B> {
         let width = self.width(stroke);
         let style = color(stroke.ink).stroke_width(width);
         let whole = !stroke.dashed || self.marks_dashes;
-        let pieces = if whole {
-            vec![points.to_vec()]
-        } else {
-            dashes(points)
-        };
+        let pieces = if whole { vec![points.to_vec()] } else { dashes(points) };
         for piece in pieces {
             let path = corners(piece.into_iter().map(|p| self.at(p)));
             self.area.draw(&PathElement::new(path, style)).map_err(failed)?;
@@ -131,35 +98,22 @@ impl<B: DrawingBackend> Painter<B> {
 
     fn polygon(&self, points: &[Point], ink: Ink, alpha: f64) -> Result<(), ReportError> {
         let points: Vec<_> = points.iter().map(|&p| self.at(p)).collect();
-        self.area
-            .draw(&Polygon::new(points, color(ink).mix(alpha)))
-            .map_err(failed)
+        self.area.draw(&Polygon::new(points, color(ink).mix(alpha))).map_err(failed)
     }
 
     fn rect(&self, from: Point, to: Point, color: RGBAColor) -> Result<(), ReportError> {
         let (from, mut to) = (self.at(from), self.at(to));
         to = (to.0.max(from.0 + 1), to.1.max(from.1 + 1));
-        self.area
-            .draw(&Rectangle::new([from, to], color.filled()))
-            .map_err(failed)
+        self.area.draw(&Rectangle::new([from, to], color.filled())).map_err(failed)
     }
 
     fn mark(&self, at: Point, mark: Mark, ink: Ink, radius: f64, hollow: bool) -> Result<(), ReportError> {
         self.blob(at, mark, ink, radius)?;
-        if hollow {
-            self.blob(at, mark, Ink::Paper, radius - 1.6)
-        } else {
-            Ok(())
-        }
+        if hollow { self.blob(at, mark, Ink::Paper, radius - 1.6) } else { Ok(()) }
     }
 
     fn blob(&self, (x, y): Point, mark: Mark, ink: Ink, r: f64) -> Result<(), ReportError> {
-        let around = |corners: &[Point]| {
-            corners
-                .iter()
-                .map(|(a, b)| (x + a * r, y + b * r))
-                .collect::<Vec<_>>()
-        };
+        let around = |corners: &[Point]| corners.iter().map(|(a, b)| (x + a * r, y + b * r)).collect::<Vec<_>>();
         let corners = match mark {
             Mark::Circle => {
                 let radius = (r * self.density) as i32;
@@ -180,16 +134,9 @@ impl<B: DrawingBackend> Painter<B> {
             Align::Center => HPos::Center,
             Align::Right => HPos::Right,
         };
-        let (font, color) = (
-            ("sans-serif", size * PER_PIXEL * self.density).into_font(),
-            color(ink),
-        );
-        let style = TextStyle::from(font)
-            .color(&color)
-            .pos(Pos::new(across, VPos::Center));
-        self.area
-            .draw(&Text::new(text, self.at(at), style))
-            .map_err(failed)
+        let (font, color) = (("sans-serif", size * PER_PIXEL * self.density).into_font(), color(ink));
+        let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
+        self.area.draw(&Text::new(text, self.at(at), style)).map_err(failed)
     }
 }
 

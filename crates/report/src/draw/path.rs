@@ -29,11 +29,7 @@ const GAP: f64 = 5.0;
 /// The dashes of a polyline.
 pub(super) fn dashes(points: &[Point]) -> Vec<Vec<Point>> {
     let mut pieces = vec![];
-    let (mut piece, mut left, mut on) = (
-        points.first().copied().into_iter().collect::<Vec<_>>(),
-        DASH,
-        true,
-    );
+    let (mut piece, mut left, mut on) = (points.first().copied().into_iter().collect::<Vec<_>>(), DASH, true);
     for pair in points.windows(2) {
         let (mut from, to) = (pair[0], pair[1]);
         let mut length = libm::hypot(to.0 - from.0, to.1 - from.1);
@@ -69,10 +65,7 @@ mod tests {
     #[test]
     fn dashes_and_gaps_take_turns() {
         let pieces = dashes(&[(0.0, 0.0), (20.0, 0.0)]);
-        assert_eq!(
-            pieces,
-            [vec![(0.0, 0.0), (8.0, 0.0)], vec![(13.0, 0.0), (20.0, 0.0)]]
-        );
+        assert_eq!(pieces, [vec![(0.0, 0.0), (8.0, 0.0)], vec![(13.0, 0.0), (20.0, 0.0)]]);
         assert!(dashes(&[]).iter().all(Vec::is_empty));
     }
 }

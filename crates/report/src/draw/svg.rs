@@ -10,20 +10,11 @@ const STACK: &str = r#""DejaVu Sans", Verdana, sans-serif"#;
 pub(crate) fn inline(picture: &Picture) -> Result<String, ReportError> {
     let mut body = body(picture)?;
     for ink in Ink::ALL {
-        body = body.replace(
-            &format!("\"{}\"", literal(ink)),
-            &format!("\"var({})\"", ink.variable()),
-        );
+        body = body.replace(&format!("\"{}\"", literal(ink)), &format!("\"var({})\"", ink.variable()));
     }
     let data = escape(&frames(picture).to_string());
-    let open = format!(
-        r#"<svg class="plot" viewBox="{}" role="img" data-plot="{data}">"#,
-        view_box(picture)
-    );
-    Ok(format!(
-        "{open}<title>{}</title>{body}</svg>",
-        escape(&picture.title)
-    ))
+    let open = format!(r#"<svg class="plot" viewBox="{}" role="img" data-plot="{data}">"#, view_box(picture));
+    Ok(format!("{open}<title>{}</title>{body}</svg>", escape(&picture.title)))
 }
 
 /// For a file of its own: colours as they are, on white.
@@ -37,10 +28,7 @@ pub(crate) fn standalone(picture: &Picture) -> Result<String, ReportError> {
     );
     let paper = r##"<rect width="100%" height="100%" fill="#FFFFFF"/>"##;
     let title = escape(&picture.title);
-    Ok(format!(
-        "{open}<title>{title}</title><style>{style}</style>{paper}{}</svg>\n",
-        body(picture)?
-    ))
+    Ok(format!("{open}<title>{title}</title><style>{style}</style>{paper}{}</svg>\n", body(picture)?))
 }
 
 /// The shapes alone, without what is the same for all of them.
@@ -69,11 +57,7 @@ fn literal(ink: Ink) -> String {
 }
 
 fn view_box(picture: &Picture) -> String {
-    format!(
-        "0 0 {} {}",
-        picture.width * SVG_DENSITY,
-        picture.height * SVG_DENSITY
-    )
+    format!("0 0 {} {}", picture.width * SVG_DENSITY, picture.height * SVG_DENSITY)
 }
 
 /// `text` where markup would otherwise be read.
@@ -95,11 +79,8 @@ pub(crate) fn escape(text: &str) -> String {
 /// What a script needs to tell the values under the pointer.
 fn frames(picture: &Picture) -> serde_json::Value {
     let panels: Vec<_> = picture.frames.iter().map(frame).collect();
-    let names: Vec<_> = picture
-        .names
-        .iter()
-        .map(|(ink, name)| (format!("var({})", ink.variable()), name))
-        .collect();
+    let names: Vec<_> =
+        picture.names.iter().map(|(ink, name)| (format!("var({})", ink.variable()), name)).collect();
     serde_json::json!({ "panels": panels, "names": names })
 }
 

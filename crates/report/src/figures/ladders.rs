@@ -18,26 +18,15 @@ pub(crate) fn of(members: &[&Subject]) -> Vec<Ladder> {
             groups.entry(key).or_default().push((order, subject.result));
         }
     }
-    groups
-        .into_iter()
-        .filter_map(|((kind, rule), members)| ladder(kind, rule, members))
-        .collect()
+    groups.into_iter().filter_map(|((kind, rule), members)| ladder(kind, rule, members)).collect()
 }
 
 fn ladder(kind: &str, rule: &str, mut members: Vec<(&OrderResult, &SubjectResult)>) -> Option<Ladder> {
     members.sort_by_key(|(order, _)| order.steps);
     members.dedup_by_key(|(order, _)| order.steps);
     let predicted = members.first()?.0.predicted.0;
-    let rungs: Vec<Rung> = members
-        .iter()
-        .filter_map(|(order, result)| rung(order, result))
-        .collect();
-    let ladder = Ladder {
-        rule: clean(rule, 40),
-        kind: kind.into(),
-        predicted,
-        rungs,
-    };
+    let rungs: Vec<Rung> = members.iter().filter_map(|(order, result)| rung(order, result)).collect();
+    let ladder = Ladder { rule: clean(rule, 40), kind: kind.into(), predicted, rungs };
     (ladder.rungs.len() >= FEWEST).then_some(ladder)
 }
 
@@ -45,11 +34,7 @@ fn rung(order: &OrderResult, result: &SubjectResult) -> Option<Rung> {
     let (bias, low, high) = match (&result.mean, &result.law) {
         (Some(mean), _) => {
             let (a, b) = (mean.low.0, mean.high.0);
-            let low = if a > 0.0 || b < 0.0 {
-                a.abs().min(b.abs())
-            } else {
-                0.0
-            };
+            let low = if a > 0.0 || b < 0.0 { a.abs().min(b.abs()) } else { 0.0 };
             (mean.bias.0.abs(), low, a.abs().max(b.abs()))
         }
         // The band of a distance is as wide below it as above.
@@ -57,11 +42,5 @@ fn rung(order: &OrderResult, result: &SubjectResult) -> Option<Rung> {
         (None, None) => return None,
     };
     let usable = bias.is_finite() && low.is_finite() && high.is_finite() && order.steps > 0;
-    usable.then(|| Rung {
-        steps: order.steps as f64,
-        bias,
-        low,
-        high,
-        own: order.bias.0.abs(),
-    })
+    usable.then(|| Rung { steps: order.steps as f64, bias, low, high, own: order.bias.0.abs() })
 }

@@ -26,19 +26,14 @@ impl CaseView {
         let case = &site.cases[i];
         let none = vec![];
         let of = |member: usize| figures.subjects.get(member).unwrap_or(&none);
-        let subjects = case
-            .members
-            .iter()
-            .filter_map(|&m| Some(SubjectView::new(site.subjects.get(m)?, of(m))));
+        let subjects = case.members.iter().filter_map(|&m| Some(SubjectView::new(site.subjects.get(m)?, of(m))));
         Ok(Self {
             id: case.id.clone(),
             number: i + 1,
             title: case.title.clone(),
             file: case.medium.map_or_else(String::new, |m| clean(&m.file, 200)),
             medium: case.medium.map_or_else(String::new, sentence),
-            parameters: case
-                .medium
-                .map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
+            parameters: case.medium.map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
             figures: FigureView::all(figures.cases.get(i).unwrap_or(&none))?,
             subjects: subjects.collect::<Result<_, _>>()?,
         })

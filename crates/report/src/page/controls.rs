@@ -26,11 +26,7 @@ pub(crate) fn rows(site: &Site) -> Vec<ControlRow> {
             case: site.cases[s.case].title.clone(),
             reasons: super::table::reasons(s.result),
             evidence: evidence(s.result),
-            outcome: if s.result.as_expected {
-                "caught"
-            } else {
-                "not as expected"
-            },
+            outcome: if s.result.as_expected { "caught" } else { "not as expected" },
         })
         .collect()
 }

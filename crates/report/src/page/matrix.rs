@@ -41,11 +41,7 @@ pub(crate) struct Letter {
 impl Letter {
     pub(crate) fn new(subject: &Subject) -> Self {
         let result = subject.result;
-        let odd = if result.as_expected {
-            ""
-        } else {
-            ", not as expected"
-        };
+        let odd = if result.as_expected { "" } else { ", not as expected" };
         Self {
             id: subject.id.clone(),
             letter: letter(result.verdict),
@@ -68,32 +64,20 @@ impl Matrix {
         }
         let groups = groups.into_iter().map(|((_, name), rows)| Group {
             name: clean(&kind(name), 60),
-            rows: rows
-                .into_iter()
-                .map(|(name, members)| row(name, &members, &used))
-                .collect(),
+            rows: rows.into_iter().map(|(name, members)| row(name, &members, &used)).collect(),
         });
-        Self {
-            columns,
-            groups: groups.collect(),
-        }
+        Self { columns, groups: groups.collect() }
     }
 }
 
 fn rank(kind: &str) -> usize {
-    ["free_path", "transmittance", "chromatic"]
-        .iter()
-        .position(|k| *k == kind)
-        .unwrap_or(3)
+    ["free_path", "transmittance", "chromatic"].iter().position(|k| *k == kind).unwrap_or(3)
 }
 
 /// The estimator, with its rule if it has one, since each rule is a method of its own.
 fn row_name(subject: &Subject) -> String {
     let result = subject.result;
-    let rule = result
-        .parameters
-        .get(&result.kind)
-        .and_then(|of| of.get(&result.estimator)?.get("rule")?.as_str());
+    let rule = result.parameters.get(&result.kind).and_then(|of| of.get(&result.estimator)?.get("rule")?.as_str());
     let rule = rule.map_or(String::new(), |rule| format!(", {rule}"));
     clean(&words(&format!("{}{rule}", result.estimator)), 40)
 }
@@ -113,9 +97,7 @@ fn columns(site: &Site) -> Vec<Vec<usize>> {
 }
 
 fn file<'a>(site: &'a Site<'a>, case: usize) -> &'a str {
-    site.members(&site.cases[case])
-        .first()
-        .map_or("", |subject| &subject.result.file)
+    site.members(&site.cases[case]).first().map_or("", |subject| &subject.result.file)
 }
 
 /// Headed by the file's name, which is short; the title is under the pointer.
@@ -136,8 +118,5 @@ fn row(name: String, members: &[&Subject], used: &[Vec<usize>]) -> MatrixRow {
         let here = members.iter().filter(|s| cases.contains(&s.case));
         here.map(|s| Letter::new(s)).collect()
     };
-    MatrixRow {
-        name,
-        cells: used.iter().map(cell).collect(),
-    }
+    MatrixRow { name, cells: used.iter().map(cell).collect() }
 }

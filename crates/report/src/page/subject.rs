@@ -46,28 +46,14 @@ pub(crate) struct TestRow {
 impl SubjectView {
     pub(crate) fn new(subject: &Subject, figures: &[Drawn]) -> Result<Self, ReportError> {
         let result = subject.result;
-        let why = if result.expected_by_design {
-            " (computed from its claims)"
-        } else {
-            ""
-        };
+        let why = if result.expected_by_design { " (computed from its claims)" } else { "" };
         Ok(Self {
             letter: Letter::new(subject),
             name: subject.name.clone(),
             sentence: words::verdict(result),
             verdict: result.verdict.to_string(),
-            reasons: result
-                .reasons
-                .iter()
-                .take(MOST)
-                .map(|r| (r.code(), r.words()))
-                .collect(),
-            notes: result
-                .notes
-                .iter()
-                .take(MOST)
-                .map(|note| clean(note, 600))
-                .collect(),
+            reasons: result.reasons.iter().take(MOST).map(|r| (r.code(), r.words())).collect(),
+            notes: result.notes.iter().take(MOST).map(|note| clean(note, 600)).collect(),
             measures: measures(subject),
             expected: format!("{}{why}", clean(&crate::text::words(&result.expected), 120)),
             faults: clean(&crate::text::words(&result.faults.join(", ")), 200),
@@ -89,9 +75,7 @@ fn measures(subject: &Subject) -> Vec<String> {
         let sentence = words::mean(&channel.mean).swap_remove(0);
         lines.push(name + &sentence.replacen("The mean", "the mean", 1));
     }
-    let time = subject
-        .seconds
-        .map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
+    let time = subject.seconds.map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
     lines.push(words::audit(result) + &time);
     lines
 }
@@ -103,11 +87,7 @@ fn draws(subject: &Subject) -> String {
     } else {
         String::new()
     };
-    format!(
-        "{}{second} ({} asked for)",
-        count(result.draws),
-        count(result.draws_requested)
-    )
+    format!("{}{second} ({} asked for)", count(result.draws), count(result.draws_requested))
 }
 
 fn test(test: &TestResult) -> TestRow {

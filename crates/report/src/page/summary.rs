@@ -60,21 +60,11 @@ fn lead(site: &Site, controls: usize) -> String {
 }
 
 fn counts(site: &Site, surprises: usize) -> Vec<(&'static str, String, &'static str)> {
-    let expected = |verdict| {
-        site.results
-            .results
-            .iter()
-            .filter(|r| r.as_expected && r.verdict == verdict)
-            .count()
-    };
+    let expected = |verdict| site.results.results.iter().filter(|r| r.as_expected && r.verdict == verdict).count();
     vec![
         ("pass", expected(Verdict::Pass).to_string(), "pass"),
         ("fail", expected(Verdict::Fail).to_string(), "fail, as expected"),
-        (
-            "inconclusive",
-            expected(Verdict::Inconclusive).to_string(),
-            "inconclusive, as expected",
-        ),
+        ("inconclusive", expected(Verdict::Inconclusive).to_string(), "inconclusive, as expected"),
         ("surprise", surprises.to_string(), "not as expected"),
     ]
 }
@@ -83,29 +73,14 @@ fn facts(site: &Site, run: &str) -> Vec<(&'static str, String, String)> {
     let results = site.results;
     let [first, second] = results.p_values.map(|n| count(n as u64));
     let mut facts = vec![
-        (
-            "False-alarm rate",
-            short(results.alpha.0),
-            "of the whole run, by design".into(),
-        ),
+        ("False-alarm rate", short(results.alpha.0), "of the whole run, by design".into()),
         (
             "p-values",
             format!("{first} + {second}"),
-            format!(
-                "in two stages, each held to {} by Holm",
-                short(results.stage_alpha.0)
-            ),
+            format!("in two stages, each held to {} by Holm", short(results.stage_alpha.0)),
         ),
-        (
-            "Seed",
-            results.seed.to_string(),
-            "the same seed gives the same bits".into(),
-        ),
-        (
-            "Version",
-            clean(&results.version, 60),
-            format!("run {}", clean(run, 40)),
-        ),
+        ("Seed", results.seed.to_string(), "the same seed gives the same bits".into()),
+        ("Version", clean(&results.version, 60), format!("run {}", clean(run, 40))),
     ];
     if let Some(timings) = site.timings {
         let words = format!("on {} threads, {}", timings.jobs, clean(&timings.isa, 40));

@@ -68,11 +68,7 @@ impl Row {
 /// The estimator's name, unless the subject's own begins with it.
 fn estimator(subject: &Subject) -> String {
     let name = clean(&words(&subject.result.estimator), 60);
-    if words(&subject.name).starts_with(&name) {
-        String::new()
-    } else {
-        name
-    }
+    if words(&subject.name).starts_with(&name) { String::new() } else { name }
 }
 
 /// The reasons as a short list.
@@ -83,21 +79,11 @@ pub(crate) fn reasons(result: &SubjectResult) -> String {
 
 /// The strongest evidence against a subject, in a few words.
 pub(crate) fn evidence(result: &SubjectResult) -> String {
-    match result
-        .tests
-        .iter()
-        .filter(|t| t.rejected)
-        .min_by(|a, b| key(a.p).total_cmp(&key(b.p)))
-    {
-        Some(test) => format!(
-            "{}: p = {}",
-            clean(&words(&test.name), 60),
-            test.p.map_or("none".into(), |p| short(p.0))
-        ),
-        None => result
-            .notes
-            .first()
-            .map_or_else(String::new, |note| clean(note, 120)),
+    match result.tests.iter().filter(|t| t.rejected).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
+        Some(test) => {
+            format!("{}: p = {}", clean(&words(&test.name), 60), test.p.map_or("none".into(), |p| short(p.0)))
+        }
+        None => result.notes.first().map_or_else(String::new, |note| clean(note, 120)),
     }
 }
 
@@ -108,11 +94,7 @@ fn key(p: Option<freepath_harness::real::Real>) -> f64 {
 /// The least adjusted p-value of stage 2, which decides, or else of stage 1.
 fn smallest_p(result: &SubjectResult) -> Option<f64> {
     let of = |stage: u8| {
-        let ps = result
-            .tests
-            .iter()
-            .filter(|t| t.stage == stage)
-            .filter_map(|t| t.p_adjusted);
+        let ps = result.tests.iter().filter(|t| t.stage == stage).filter_map(|t| t.p_adjusted);
         ps.map(|p| p.0).min_by(f64::total_cmp)
     };
     of(2).or_else(|| of(1))
@@ -127,9 +109,6 @@ fn measures(result: &SubjectResult) -> [Option<f64>; 3] {
     if let Some(law) = &result.law {
         return [Some(law.distance.0), Some(law.bound.0), Some(law.detectable.0)];
     }
-    let worst = result
-        .channels
-        .iter()
-        .max_by(|a, b| a.mean.bias.0.abs().total_cmp(&b.mean.bias.0.abs()));
+    let worst = result.channels.iter().max_by(|a, b| a.mean.bias.0.abs().total_cmp(&b.mean.bias.0.abs()));
     worst.map_or([None; 3], |channel| of(&channel.mean))
 }

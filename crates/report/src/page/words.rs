@@ -94,9 +94,8 @@ pub(crate) fn law(law: &LawResult) -> Vec<String> {
 
 /// What the audit of look-ups found.
 pub(crate) fn audit(result: &SubjectResult) -> String {
-    let expected = result
-        .lookups_expected
-        .map_or(String::new(), |e| format!(", where {} are claimed", short(e.0)));
+    let expected =
+        result.lookups_expected.map_or(String::new(), |e| format!(", where {} are claimed", short(e.0)));
     let audit = &result.audit;
     let found: Vec<String> = [
         (audit.above, "look-ups above the majorant"),
@@ -108,15 +107,9 @@ pub(crate) fn audit(result: &SubjectResult) -> String {
     .filter(|(n, _)| *n > 0)
     .map(|(n, what)| format!("{} {what}", count(*n)))
     .collect();
-    let found = if found.is_empty() {
-        "none above the majorant or outside the ray".into()
-    } else {
-        found.join(", ")
-    };
-    format!(
-        "{} look-ups of μ per draw{expected}; {found}.",
-        short(result.lookups.0)
-    )
+    let found =
+        if found.is_empty() { "none above the majorant or outside the ray".into() } else { found.join(", ") };
+    format!("{} look-ups of μ per draw{expected}; {found}.", short(result.lookups.0))
 }
 
 /// `free_path` and its kin, for people.

@@ -19,24 +19,13 @@ pub(crate) fn figure(series: &CdfSeries, subject: &str, level: f64) -> Figure {
     if !own.is_empty() {
         words += " The dashed curve is the method's own law, biased by design: draws that follow it are biased, not buggy.";
     }
-    Figure {
-        name: "cdf",
-        picture: picture(series, subject),
-        heading: "Distribution function".into(),
-        words,
-    }
+    Figure { name: "cdf", picture: picture(series, subject), heading: "Distribution function".into(), words }
 }
 
 fn picture(series: &CdfSeries, subject: &str) -> Picture {
-    let (drawn, own) = (
-        pairs(&series.t, &series.difference),
-        pairs(&series.t, &series.own),
-    );
-    let mut picture = Picture::new(
-        WIDTH,
-        300.0,
-        format!("{subject}: empirical minus analytic distribution function"),
-    );
+    let (drawn, own) = (pairs(&series.t, &series.difference), pairs(&series.t, &series.own));
+    let mut picture =
+        Picture::new(WIDTH, 300.0, format!("{subject}: empirical minus analytic distribution function"));
     let band = series.band.0;
     let top = 1.15 * reach(drawn.iter().chain(&own).map(|p| p.1).chain([band]));
     let end = reach(series.t.iter().map(|t| t.0));
@@ -53,18 +42,12 @@ fn picture(series: &CdfSeries, subject: &str) -> Picture {
     if !drawn.iter().any(|p| p.1.is_finite()) {
         picture.note(&frame, "not finite: no curve can be drawn");
     }
-    picture.names = vec![
-        (Ink::Blue, "draws − law".into()),
-        (Ink::Vermillion, "own law − law".into()),
-    ];
+    picture.names = vec![(Ink::Blue, "draws − law".into()), (Ink::Vermillion, "own law − law".into())];
     picture
 }
 
 fn legend(picture: &mut Picture, left: f64, own: bool) -> f64 {
-    let mut keys = vec![
-        Key::Line(DRAWN, "draws".into()),
-        Key::Band(Ink::Sky, 0.22, "simultaneous band".into()),
-    ];
+    let mut keys = vec![Key::Line(DRAWN, "draws".into()), Key::Band(Ink::Sky, 0.22, "simultaneous band".into())];
     if own {
         keys.push(Key::Line(OWN, "the method's own law".into()));
     }

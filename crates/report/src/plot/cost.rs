@@ -40,29 +40,16 @@ pub(crate) fn figure(costs: &[Cost], title: &str) -> Figure {
     let words = "Each marker is an estimator: cheaper to the left, quieter below. Along a grey line efficiency is the same; each \
                  line further down and left is ten times better. Hollow markers are not ranked."
         .into();
-    Figure {
-        name: "cost",
-        picture: picture(costs, title),
-        heading: "Variance against cost".into(),
-        words,
-    }
+    Figure { name: "cost", picture: picture(costs, title), heading: "Variance against cost".into(), words }
 }
 
 /// The number of inks times that of markers: more would look alike.
 const MOST: usize = 30;
 
 fn picture(costs: &[Cost], title: &str) -> Picture {
-    let shown: Vec<&Cost> = costs
-        .iter()
-        .filter(|c| c.per_lookup().is_some())
-        .take(MOST)
-        .collect();
+    let shown: Vec<&Cost> = costs.iter().filter(|c| c.per_lookup().is_some()).take(MOST).collect();
     let mut picture = Picture::new(WIDTH, 0.0, format!("{title}: relative variance against look-ups"));
-    let keys: Vec<Key> = shown
-        .iter()
-        .enumerate()
-        .map(|(i, c)| key(i, &clean(&c.name, 46)))
-        .collect();
+    let keys: Vec<Key> = shown.iter().enumerate().map(|(i, c)| key(i, &clean(&c.name, 46))).collect();
     let rows = picture.legend_height(&keys, 12.0);
     picture.height = 310.0 + rows;
     let of = |value: fn(&Cost) -> f64| span(shown.iter().map(|c| value(c))).unwrap_or((1.0, 10.0));
@@ -74,12 +61,7 @@ fn picture(costs: &[Cost], title: &str) -> Picture {
     isolines(&mut picture, &frame);
     for (i, cost) in shown.iter().enumerate() {
         if let Some(at) = frame.point(cost.lookups, cost.efficiency.relative_variance.0) {
-            picture.mark(
-                at,
-                MARKS[i % MARKS.len()],
-                SERIES[i % SERIES.len()],
-                !cost.efficiency.ranked,
-            );
+            picture.mark(at, MARKS[i % MARKS.len()], SERIES[i % SERIES.len()], !cost.efficiency.ranked);
         }
     }
     if shown.is_empty() {

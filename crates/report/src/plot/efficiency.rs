@@ -21,47 +21,24 @@ pub(crate) fn figure(costs: &[Cost], title: &str) -> Figure {
         .to_string();
     words += &exact(costs);
     words += &refused(costs);
-    Figure {
-        name: "efficiency",
-        picture: picture(costs, title),
-        heading: "Efficiency".into(),
-        words,
-    }
+    Figure { name: "efficiency", picture: picture(costs, title), heading: "Efficiency".into(), words }
 }
 
 fn exact(costs: &[Cost]) -> String {
-    let names: Vec<_> = costs
-        .iter()
-        .filter(|c| c.efficiency.exact)
-        .map(|c| clean(&c.name, 40))
-        .collect();
-    if names.is_empty() {
-        String::new()
-    } else {
-        format!(" Exact, without variance: {}.", names.join(", "))
-    }
+    let names: Vec<_> = costs.iter().filter(|c| c.efficiency.exact).map(|c| clean(&c.name, 40)).collect();
+    if names.is_empty() { String::new() } else { format!(" Exact, without variance: {}.", names.join(", ")) }
 }
 
 /// Each refusal with those that it concerns.
 fn refused(costs: &[Cost]) -> String {
     let mut groups: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    for cost in costs
-        .iter()
-        .filter(|c| !c.efficiency.ranked && !c.efficiency.exact)
-    {
-        groups
-            .entry(&cost.efficiency.refusal)
-            .or_default()
-            .push(clean(&cost.name, 40));
+    for cost in costs.iter().filter(|c| !c.efficiency.ranked && !c.efficiency.exact) {
+        groups.entry(&cost.efficiency.refusal).or_default().push(clean(&cost.name, 40));
     }
     let each = |(why, mut names): (&str, Vec<String>)| {
         let more = names.len().saturating_sub(MOST_NAMED);
         names.truncate(MOST_NAMED);
-        let rest = if more > 0 {
-            format!(" and {more} more")
-        } else {
-            String::new()
-        };
+        let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
         format!(" Not ranked ({}): {}{rest}.", clean(why, 120), names.join(", "))
     };
     groups.into_iter().take(6).map(each).collect()
@@ -75,24 +52,11 @@ fn picture(costs: &[Cost], title: &str) -> Picture {
     let mut picture = Picture::new(WIDTH, height, format!("{title}: efficiency of the estimators"));
     let timed = ranked.iter().any(|c| c.per_second().is_some());
     let middle = if timed { 0.5 * (WIDTH + left) } else { WIDTH };
-    let inset = Inset {
-        left,
-        top: TOP,
-        right: WIDTH - middle + 22.0,
-        bottom: 44.0,
-    };
-    panel(&mut picture, &ranked, inset, ("in look-ups", Ink::Blue), |c| {
-        c.per_lookup()
-    });
+    let inset = Inset { left, top: TOP, right: WIDTH - middle + 22.0, bottom: 44.0 };
+    panel(&mut picture, &ranked, inset, ("in look-ups", Ink::Blue), |c| c.per_lookup());
     if timed {
-        let inset = Inset {
-            left: middle + 18.0,
-            right: 22.0,
-            ..inset
-        };
-        panel(&mut picture, &ranked, inset, ("in seconds", Ink::Green), |c| {
-            c.per_second()
-        });
+        let inset = Inset { left: middle + 18.0, right: 22.0, ..inset };
+        panel(&mut picture, &ranked, inset, ("in seconds", Ink::Green), |c| c.per_second());
     }
     for (i, label) in labels.into_iter().enumerate() {
         let y = TOP + ROW * (i as f64 + 0.5);
@@ -104,10 +68,8 @@ fn picture(costs: &[Cost], title: &str) -> Picture {
 /// Those that may stand in a ranking, best first.
 fn ranked<'a>(costs: &'a [Cost<'a>]) -> Vec<&'a Cost<'a>> {
     let efficiency = |c: &Cost| c.per_lookup().map_or(0.0, |e| e.1);
-    let mut ranked: Vec<&Cost> = costs
-        .iter()
-        .filter(|c| c.efficiency.ranked && c.per_lookup().is_some())
-        .collect();
+    let mut ranked: Vec<&Cost> =
+        costs.iter().filter(|c| c.efficiency.ranked && c.per_lookup().is_some()).collect();
     ranked.sort_by(|a, b| efficiency(b).total_cmp(&efficiency(a)));
     ranked.truncate(40);
     ranked
@@ -116,24 +78,13 @@ fn ranked<'a>(costs: &'a [Cost<'a>]) -> Vec<&'a Cost<'a>> {
 type Measure = fn(&Cost) -> Option<(f64, f64, f64)>;
 
 fn panel(picture: &mut Picture, ranked: &[&Cost], inset: Inset, (label, ink): (&str, Ink), of: Measure) {
-    let ends = span(
-        ranked
-            .iter()
-            .filter_map(|c| of(c))
-            .flat_map(|(lo, mid, hi)| [lo, mid, hi])
-            .filter(|x| *x > 0.0),
-    );
+    let ends =
+        span(ranked.iter().filter_map(|c| of(c)).flat_map(|(lo, mid, hi)| [lo, mid, hi]).filter(|x| *x > 0.0));
     let (lo, hi) = ends.unwrap_or((1.0, 10.0));
     let x = Axis::log("1 / (V T)", 0.6 * lo, 1.8 * hi);
     let rows = ranked.len().max(1) as f64;
-    let frame = picture.frame(
-        x,
-        Axis {
-            label: label.into(),
-            ..Axis::linear("", 0.0, rows, 1).ticks_at(&[])
-        },
-        inset,
-    );
+    let frame =
+        picture.frame(x, Axis { label: label.into(), ..Axis::linear("", 0.0, rows, 1).ticks_at(&[]) }, inset);
     if ranked.is_empty() {
         picture.note(&frame, "no estimator can be ranked");
     }

@@ -25,12 +25,7 @@ pub(crate) fn figure(entries: &[Entry], name: &'static str, heading: &str, title
                  did not fail ± the largest bias still allowed. A right estimator’s interval holds zero. \
                  Rows beyond the axis end in an arrow with their value."
         .into();
-    Figure {
-        name,
-        picture: picture(entries, title),
-        heading: heading.into(),
-        words,
-    }
+    Figure { name, picture: picture(entries, title), heading: heading.into(), words }
 }
 
 fn picture(entries: &[Entry], title: &str) -> Picture {
@@ -41,20 +36,12 @@ fn picture(entries: &[Entry], title: &str) -> Picture {
     let keys = keys(entries);
     let top = 20.0 + picture.legend(&keys, 12.0, 11.0);
     picture.height = top + ROW * entries.len().max(1) as f64 + 46.0;
-    let inset = Inset {
-        left,
-        top,
-        right: 74.0,
-        bottom: 46.0,
-    };
+    let inset = Inset { left, top, right: 74.0, bottom: 46.0 };
     let room = room(entries);
     let y = Axis::linear("", 0.0, entries.len().max(1) as f64, 1).ticks_at(&[]);
     let frame = picture.frame(Axis::linear("bias / truth", -room, room, 5), y, inset);
     if let Some(zero) = frame.across(0.0) {
-        picture.line(
-            vec![(zero, frame.top), (zero, frame.bottom)],
-            Stroke::new(Ink::Text, 1.2),
-        );
+        picture.line(vec![(zero, frame.top), (zero, frame.bottom)], Stroke::new(Ink::Text, 1.2));
     }
     for (i, (entry, label)) in entries.iter().zip(labels).enumerate() {
         let y = frame.top + ROW * (i as f64 + 0.5);
@@ -66,11 +53,8 @@ fn picture(entries: &[Entry], title: &str) -> Picture {
 
 fn keys(entries: &[Entry]) -> Vec<Key> {
     let all = [Verdict::Pass, Verdict::Inconclusive, Verdict::Fail];
-    let used = all
-        .into_iter()
-        .filter(|v| entries.iter().any(|e| e.verdict == *v));
-    used.map(|v| Key::Mark(look(v).0, look(v).1, v.to_string()))
-        .collect()
+    let used = all.into_iter().filter(|v| entries.iter().any(|e| e.verdict == *v));
+    used.map(|v| Key::Mark(look(v).0, look(v).1, v.to_string())).collect()
 }
 
 fn look(verdict: Verdict) -> (Mark, Ink) {
@@ -84,11 +68,7 @@ fn look(verdict: Verdict) -> (Mark, Ink) {
 /// Enough for every row that did not fail, and for no row that would flatten the others.
 fn room(entries: &[Entry]) -> f64 {
     let relative = |e: &Entry| reach([e.mean.bound.0, e.mean.low.0, e.mean.high.0]) / e.mean.expected.0.abs();
-    let mut passed: Vec<f64> = entries
-        .iter()
-        .filter(|e| e.verdict == Verdict::Pass)
-        .map(relative)
-        .collect();
+    let mut passed: Vec<f64> = entries.iter().filter(|e| e.verdict == Verdict::Pass).map(relative).collect();
     passed.retain(|x| x.is_finite() && *x > 0.0);
     let all = reach(entries.iter().map(relative));
     match 1.3 * reach(passed) {
@@ -104,23 +84,13 @@ fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     let [bias, low, high, bound] =
         [entry.mean.bias, entry.mean.low, entry.mean.high, entry.mean.bound].map(|x| x.0 / truth);
     if !bias.is_finite() {
-        picture.text(
-            (frame.right + 8.0, y),
-            "not finite",
-            SMALL,
-            Ink::Muted,
-            Align::Left,
-        );
+        picture.text((frame.right + 8.0, y), "not finite", SMALL, Ink::Muted, Align::Left);
         return;
     }
     if let (Some(from), Some(to)) = (frame.across(low), frame.across(high)) {
         picture.line(vec![(from, y), (to, y)], Stroke::new(ink, 2.4));
     }
-    let bounds: &[f64] = if entry.verdict == Verdict::Fail {
-        &[]
-    } else {
-        &[-bound, bound]
-    };
+    let bounds: &[f64] = if entry.verdict == Verdict::Fail { &[] } else { &[-bound, bound] };
     for &end in bounds {
         if let (true, Some(x)) = (end.abs() <= frame.x.hi, frame.across(end)) {
             picture.line(vec![(x, y - 5.0), (x, y + 5.0)], Stroke::new(Ink::Muted, 1.0));
@@ -130,12 +100,6 @@ fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     picture.mark((x, y), mark, ink, false);
     if bias.abs() > frame.x.hi {
         let arrow = if bias > 0.0 { "→" } else { "←" };
-        picture.text(
-            (frame.right + 8.0, y),
-            format!("{arrow} {}", short(bias)),
-            SMALL,
-            Ink::Muted,
-            Align::Left,
-        );
+        picture.text((frame.right + 8.0, y), format!("{arrow} {}", short(bias)), SMALL, Ink::Muted, Align::Left);
     }
 }

@@ -14,33 +14,19 @@ pub(crate) fn figure(series: &HistogramSeries, subject: &str) -> Figure {
     let words = "Bars are the draws, the line is the density of the law, averaged over each cell. The pin at the right is \
                  the share of paths that escaped, on its own axis: the marker should sit on the short line."
         .into();
-    Figure {
-        name: "histogram",
-        picture: picture(series, subject),
-        heading: "Density and escapes".into(),
-        words,
-    }
+    Figure { name: "histogram", picture: picture(series, subject), heading: "Density and escapes".into(), words }
 }
 
 fn picture(series: &HistogramSeries, subject: &str) -> Picture {
-    let title =
-        format!("{subject}: histogram of the draws over the analytic density, and the escape probability");
+    let title = format!("{subject}: histogram of the draws over the analytic density, and the escape probability");
     let mut picture = Picture::new(WIDTH, 300.0, title);
     let (bars, law) = (steps(series, &series.density), steps(series, &series.expected));
     let top = 1.1 * reach(bars.iter().chain(&law).map(|p| p.1));
     let y = Axis::linear("probability per length unit", 0.0, top, 5);
-    let x = Axis::linear(
-        "t, in length units",
-        0.0,
-        reach(series.edges.iter().map(|e| e.0)),
-        7,
-    );
+    let x = Axis::linear("t, in length units", 0.0, reach(series.edges.iter().map(|e| e.0)), 7);
     let mut inset = Inset::around(&y);
     inset.right += ASIDE;
-    let keys = [
-        Key::Band(Ink::Sky, 0.55, "draws".into()),
-        Key::Line(LAW, "law".into()),
-    ];
+    let keys = [Key::Band(Ink::Sky, 0.55, "draws".into()), Key::Line(LAW, "law".into())];
     inset.top += picture.legend(&keys, inset.left, 11.0);
     let frame = picture.frame(x, y, inset);
     let mut area: Vec<Point> = bars.iter().filter_map(|&(x, y)| frame.point(x, y)).collect();
@@ -59,48 +45,26 @@ fn picture(series: &HistogramSeries, subject: &str) -> Picture {
 /// The outline of a column of cells.
 fn steps(series: &HistogramSeries, values: &[freepath_harness::real::Real]) -> Vec<Point> {
     let cells = series.edges.windows(2).zip(values).take(MOST_POINTS);
-    cells
-        .flat_map(|(edge, value)| [(edge[0].0, value.0), (edge[1].0, value.0)])
-        .collect()
+    cells.flat_map(|(edge, value)| [(edge[0].0, value.0), (edge[1].0, value.0)]).collect()
 }
 
 fn escapes(picture: &mut Picture, beside: &Frame, series: &HistogramSeries) {
     let (seen, law) = (series.escape.0, series.escape_expected.0);
     let y = Axis::linear("escapes", 0.0, 1.25 * reach([seen, law]), 4);
-    let inset = Inset {
-        left: picture.width - 66.0,
-        top: beside.top,
-        right: 12.0,
-        bottom: picture.height - beside.bottom,
-    };
+    let inset =
+        Inset { left: picture.width - 66.0, top: beside.top, right: 12.0, bottom: picture.height - beside.bottom };
     let frame = picture.frame(Axis::linear("", 0.0, 2.0, 1).ticks_at(&[]), y, inset);
     let middle = 0.5 * (frame.left + frame.right);
     if let Some(at) = frame.up(law) {
-        picture.line(
-            vec![(middle - 16.0, at), (middle + 16.0, at)],
-            Stroke::new(Ink::Vermillion, 2.0),
-        );
+        picture.line(vec![(middle - 16.0, at), (middle + 16.0, at)], Stroke::new(Ink::Vermillion, 2.0));
     }
     if let Some(at) = frame.up(seen) {
-        picture.line(
-            vec![(middle, frame.bottom), (middle, at)],
-            Stroke::new(Ink::Sky, 3.0),
-        );
+        picture.line(vec![(middle, frame.bottom), (middle, at)], Stroke::new(Ink::Sky, 3.0));
         picture.mark((middle, at), Mark::Circle, Ink::Blue, false);
     }
-    picture.text(
-        (middle, frame.bottom + 14.0),
-        label(seen),
-        SMALL,
-        Ink::Muted,
-        Align::Center,
-    );
+    picture.text((middle, frame.bottom + 14.0), label(seen), SMALL, Ink::Muted, Align::Center);
 }
 
 fn label(share: f64) -> String {
-    if share.is_finite() {
-        short(share)
-    } else {
-        "not finite".into()
-    }
+    if share.is_finite() { short(share) } else { "not finite".into() }
 }

@@ -15,20 +15,11 @@ pub(crate) fn figure(medium: &MediumResult, title: &str) -> Figure {
                  between the two is wasted look-ups. Below: the transmittance T, the probability to get as far as t; its value \
                  at the end is the escape probability."
         .into();
-    Figure {
-        name: "medium",
-        picture: picture(medium, title),
-        heading: "The medium".into(),
-        words,
-    }
+    Figure { name: "medium", picture: picture(medium, title), heading: "The medium".into(), words }
 }
 
 fn picture(medium: &MediumResult, title: &str) -> Picture {
-    let mut picture = Picture::new(
-        WIDTH,
-        HEIGHT,
-        format!("{title}: extinction, majorant and transmittance"),
-    );
+    let mut picture = Picture::new(WIDTH, HEIGHT, format!("{title}: extinction, majorant and transmittance"));
     let series = &medium.series[..medium.series.len().min(SERIES.len())];
     let (upper, lower) = panels(&mut picture, series, medium.length.0);
     for (ink, series) in SERIES.into_iter().zip(series) {
@@ -38,11 +29,7 @@ fn picture(medium: &MediumResult, title: &str) -> Picture {
         picture.note(&upper, "not finite: no extinction can be drawn");
     }
     let name = |i: usize| {
-        if series.len() == 1 {
-            "value".into()
-        } else {
-            format!("channel {i}")
-        }
+        if series.len() == 1 { "value".into() } else { format!("channel {i}") }
     };
     picture.names = (0..series.len()).map(|i| (SERIES[i], name(i))).collect();
     picture.names.push((Ink::Muted, "majorant".into()));
@@ -50,42 +37,23 @@ fn picture(medium: &MediumResult, title: &str) -> Picture {
 }
 
 fn panels(picture: &mut Picture, series: &[MediumSeries], length: f64) -> (Frame, Frame) {
-    let top = 1.08
-        * reach(
-            series
-                .iter()
-                .flat_map(|s| s.mu.iter().chain(&s.majorant))
-                .map(|x| x.0),
-        );
+    let top = 1.08 * reach(series.iter().flat_map(|s| s.mu.iter().chain(&s.majorant)).map(|x| x.0));
     let end = reach(series.iter().flat_map(|s| &s.t).map(|t| t.0).chain([length]));
     let y = Axis::linear("μ, per length unit", 0.0, top, 5);
     let mut inset = Inset::around(&y);
     inset.left = if inset.left < 56.0 { 56.0 } else { inset.left };
     inset.top += picture.legend(&keys(series.len()), inset.left, 11.0);
-    let above = Inset {
-        bottom: HEIGHT - SPLIT,
-        ..inset
-    };
-    let below = Inset {
-        top: SPLIT + 56.0,
-        ..inset
-    };
+    let above = Inset { bottom: HEIGHT - SPLIT, ..inset };
+    let below = Inset { top: SPLIT + 56.0, ..inset };
     let upper = picture.frame(Axis::linear("", 0.0, end, 8), y, above);
     let x = Axis::linear("t, in length units", 0.0, end, 8);
-    (
-        upper,
-        picture.frame(x, Axis::linear("transmittance T", 0.0, 1.0, 4), below),
-    )
+    (upper, picture.frame(x, Axis::linear("transmittance T", 0.0, 1.0, 4), below))
 }
 
 fn channel(picture: &mut Picture, upper: &Frame, lower: &Frame, series: &MediumSeries, ink: Ink) {
     picture.curve(upper, &steps(&pairs(&series.t, &series.majorant)), BOUND);
     picture.curve(upper, &pairs(&series.t, &series.mu), Stroke::new(ink, 1.8));
-    picture.curve(
-        lower,
-        &pairs(&series.t, &series.transmittance),
-        Stroke::new(ink, 1.8),
-    );
+    picture.curve(lower, &pairs(&series.t, &series.transmittance), Stroke::new(ink, 1.8));
 }
 
 /// The corners of a step function, each value held up to the next.
@@ -102,15 +70,9 @@ fn steps(points: &[Point]) -> Vec<Point> {
 
 fn keys(channels: usize) -> Vec<Key> {
     let name = |i: usize| {
-        if channels == 1 {
-            "μ and T".into()
-        } else {
-            format!("channel {i}")
-        }
+        if channels == 1 { "μ and T".into() } else { format!("channel {i}") }
     };
-    let mut keys: Vec<Key> = (0..channels)
-        .map(|i| Key::Line(Stroke::new(SERIES[i], 1.8), name(i)))
-        .collect();
+    let mut keys: Vec<Key> = (0..channels).map(|i| Key::Line(Stroke::new(SERIES[i], 1.8), name(i))).collect();
     keys.push(Key::Line(BOUND, "majorant".into()));
     keys
 }

@@ -21,21 +21,12 @@ pub(crate) fn figure(series: &ResidualSeries, subject: &str) -> Figure {
 }
 
 fn picture(series: &ResidualSeries, subject: &str) -> Picture {
-    let mut picture = Picture::new(
-        WIDTH,
-        260.0,
-        format!("{subject}: chi-square residual of each cell"),
-    );
+    let mut picture = Picture::new(WIDTH, 260.0, format!("{subject}: chi-square residual of each cell"));
     let top = (1.15 * reach(series.residual.iter().map(|r| r.0))).max(5.0);
     let y = Axis::linear("residual, in standard deviations", -top, top, 6);
     let mut inset = Inset::around(&y);
     inset.right += if series.escape { ASIDE } else { 0.0 };
-    let x = Axis::linear(
-        "t, in length units",
-        0.0,
-        reach(series.edges.iter().map(|e| e.0)),
-        8,
-    );
+    let x = Axis::linear("t, in length units", 0.0, reach(series.edges.iter().map(|e| e.0)), 8);
     let frame = picture.frame(x, y, inset);
     guides(&mut picture, &frame);
     let cells = series.edges.windows(2).zip(&series.residual).take(MOST_POINTS);
@@ -52,24 +43,14 @@ fn picture(series: &ResidualSeries, subject: &str) -> Picture {
     if let (true, Some(last)) = (series.escape, series.residual.last()) {
         let middle = frame.right + 0.5 * ASIDE + 12.0;
         bar(&mut picture, &frame, (middle - 8.0, middle + 8.0), last.0);
-        picture.text(
-            (middle, frame.bottom + 14.0),
-            "escapes",
-            SMALL,
-            Ink::Muted,
-            Align::Center,
-        );
+        picture.text((middle, frame.bottom + 14.0), "escapes", SMALL, Ink::Muted, Align::Center);
     }
     picture
 }
 
 fn guides(picture: &mut Picture, frame: &Frame) {
-    for (level, ink) in [
-        (2.0, Ink::Orange),
-        (-2.0, Ink::Orange),
-        (4.0, Ink::Vermillion),
-        (-4.0, Ink::Vermillion),
-    ] {
+    for (level, ink) in [(2.0, Ink::Orange), (-2.0, Ink::Orange), (4.0, Ink::Vermillion), (-4.0, Ink::Vermillion)]
+    {
         if let Some(y) = frame.up(level) {
             let right = picture.width - 14.0;
             picture.line(vec![(frame.left, y), (right, y)], Stroke::new(ink, 1.0).dashed());

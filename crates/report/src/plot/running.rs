@@ -19,12 +19,7 @@ pub(crate) fn figure(series: &RunningSeries, mean: &MeanResult, subject: &str, l
     if mean.own.is_some() {
         words += " The dashed line is the mean that the method has by design.";
     }
-    Figure {
-        name: "running",
-        picture: picture(series, mean, subject),
-        heading: "Running mean".into(),
-        words,
-    }
+    Figure { name: "running", picture: picture(series, mean, subject), heading: "Running mean".into(), words }
 }
 
 fn picture(series: &RunningSeries, mean: &MeanResult, subject: &str) -> Picture {
@@ -32,10 +27,7 @@ fn picture(series: &RunningSeries, mean: &MeanResult, subject: &str) -> Picture 
     let points = pairs(&series.draws, &series.mean);
     let widths = pairs(&series.draws, &series.half_width);
     let y = axis(&points, &widths, mean);
-    let mut keys = vec![
-        Key::Line(DRAWN, "mean so far".into()),
-        Key::Band(Ink::Sky, 0.28, "interval".into()),
-    ];
+    let mut keys = vec![Key::Line(DRAWN, "mean so far".into()), Key::Band(Ink::Sky, 0.28, "interval".into())];
     keys.push(Key::Line(TRUTH, "truth".into()));
     if mean.own.is_some() {
         keys.push(Key::Line(OWN, "the method’s own mean".into()));
@@ -61,13 +53,7 @@ fn picture(series: &RunningSeries, mean: &MeanResult, subject: &str) -> Picture 
 fn axis(points: &[Point], widths: &[Point], mean: &MeanResult) -> Axis {
     let truth = mean.expected.0;
     let late = points.len() * 2 / 5;
-    let off = reach(
-        points
-            .iter()
-            .skip(late)
-            .map(|p| p.1 - truth)
-            .chain(mean.own.map(|own| own.0 - truth)),
-    );
+    let off = reach(points.iter().skip(late).map(|p| p.1 - truth).chain(mean.own.map(|own| own.0 - truth)));
     let wide = reach(widths.iter().skip(late).map(|p| p.1));
     let room = match 1.15 * off.max(0.8 * wide) {
         room if room > 1e-9 * truth.abs() => room,
@@ -78,17 +64,9 @@ fn axis(points: &[Point], widths: &[Point], mean: &MeanResult) -> Axis {
 
 fn band(picture: &mut Picture, frame: &Frame, points: &[Point], widths: &[Point]) {
     // Thinning keeps other places of the two columns, so widths are looked up by draws.
-    let width_at = |n: f64| {
-        widths
-            .iter()
-            .min_by(|a, b| (a.0 - n).abs().total_cmp(&(b.0 - n).abs()))
-            .map(|p| p.1)
-    };
+    let width_at = |n: f64| widths.iter().min_by(|a, b| (a.0 - n).abs().total_cmp(&(b.0 - n).abs())).map(|p| p.1);
     let edge = |sign: f64| -> Vec<Point> {
-        points
-            .iter()
-            .filter_map(|&(n, m)| frame.point(n, m + sign * width_at(n)?))
-            .collect()
+        points.iter().filter_map(|&(n, m)| frame.point(n, m + sign * width_at(n)?)).collect()
     };
     let mut outline = edge(1.0);
     outline.extend(edge(-1.0).into_iter().rev());

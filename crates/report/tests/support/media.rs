@@ -35,22 +35,11 @@ impl Medium {
     ) -> Self {
         let t: Vec<f64> = (0..=POINTS).map(|i| length * i as f64 / POINTS as f64).collect();
         let channels = mu.iter().map(|mu| Channel::new(&t, mu, name)).collect();
-        Self {
-            case,
-            name,
-            ray: None,
-            parameters,
-            length,
-            t,
-            channels,
-        }
+        Self { case, name, ray: None, parameters, length, t, channels }
     }
 
     fn on(self, ray: usize) -> Self {
-        Self {
-            ray: Some(ray),
-            ..self
-        }
+        Self { ray: Some(ray), ..self }
     }
 
     /// Probability of escape of the first channel.
@@ -90,10 +79,7 @@ impl Medium {
             parameters: self.parameters.clone(),
             length: self.length.into(),
             tau: self.channels.iter().map(|c| Real(c.tau[POINTS])).collect(),
-            extrema: [
-                mus().fold(f64::INFINITY, f64::min).into(),
-                mus().fold(0.0, f64::max).into(),
-            ],
+            extrema: [mus().fold(f64::INFINITY, f64::min).into(), mus().fold(0.0, f64::max).into()],
             series: (self.channels.iter())
                 .map(|c| MediumSeries {
                     t: reals(&self.t),
@@ -114,16 +100,9 @@ impl Channel {
             tau.push(tau[i - 1] + 0.5 * (mu[i] + mu[i - 1]) * (t[i] - t[i - 1]));
         }
         let greatest = |v: &[f64]| v.iter().copied().fold(0.0, f64::max);
-        let pieces = if name == "voxel_grid" || name == "sinusoid" {
-            8
-        } else {
-            1
-        };
+        let pieces = if name == "voxel_grid" || name == "sinusoid" { 8 } else { 1 };
         let chunk = t.len().div_ceil(pieces);
-        let majorant = mu
-            .chunks(chunk)
-            .flat_map(|c| vec![1.02 * greatest(c); c.len()])
-            .collect();
+        let majorant = mu.chunks(chunk).flat_map(|c| vec![1.02 * greatest(c); c.len()]).collect();
         Self { mu, majorant, tau }
     }
 }

@@ -16,10 +16,7 @@ pub(crate) const DRAWS: u64 = 1 << 20;
 
 /// The subjects of the `i`th medium.
 pub(crate) fn of(medium: &Medium, i: usize, noise: &mut Noise) -> Vec<SubjectResult> {
-    plans::all(medium, i)
-        .iter()
-        .map(|plan| subject(medium, i, plan, noise))
-        .collect()
+    plans::all(medium, i).iter().map(|plan| subject(medium, i, plan, noise)).collect()
 }
 
 fn subject(medium: &Medium, i: usize, plan: &Plan, noise: &mut Noise) -> SubjectResult {
@@ -28,13 +25,7 @@ fn subject(medium: &Medium, i: usize, plan: &Plan, noise: &mut Noise) -> Subject
         rule: rule.into(),
         steps,
         predicted: order.into(),
-        bias: (plan.bias
-            * if plan.kind == "free_path" {
-                1.0
-            } else {
-                medium.escape()
-            })
-        .into(),
+        bias: (plan.bias * if plan.kind == "free_path" { 1.0 } else { medium.escape() }).into(),
     });
     match plan.kind {
         "free_path" => law::fill(&mut result, medium, plan, noise),
@@ -95,18 +86,8 @@ fn reject(result: &mut SubjectResult, plan: &Plan) {
     result.verdict = Verdict::Fail;
     result.reasons = vec![reason];
     result.draws_stage2 = 2 * DRAWS;
-    result.notes = vec![format!(
-        "{}: the claim was rejected in both stages.",
-        reason.code()
-    )];
-    let again: Vec<_> = result
-        .tests
-        .iter()
-        .map(|t| TestResult {
-            stage: 2,
-            ..t.clone()
-        })
-        .collect();
+    result.notes = vec![format!("{}: the claim was rejected in both stages.", reason.code())];
+    let again: Vec<_> = result.tests.iter().map(|t| TestResult { stage: 2, ..t.clone() }).collect();
     result.tests.extend(again);
 }
 

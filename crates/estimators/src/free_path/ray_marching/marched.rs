@@ -24,47 +24,30 @@ impl Marched {
     /// The law of `rule`, unless its table would be too large.
     pub(super) fn new(rule: MarchingRule, steps: Steps, truth: &dyn Medium) -> Option<Self> {
         let comb = Comb::new(steps, truth);
-        let columns = Columns {
-            comb,
-            truth,
-            weight: vec![],
-            depth: vec![],
-        };
+        let columns = Columns { comb, truth, weight: vec![], depth: vec![] };
         let columns = match rule {
             MarchingRule::Left => columns.with(0.0, 1.0)?,
             MarchingRule::Midpoint | MarchingRule::Snap => columns.with(0.5, 1.0)?,
             MarchingRule::Jitter => columns.averaged()?,
         };
         let depth = (0..=comb.steps).flat_map(|i| columns.depth.iter().map(move |column| column[i]));
-        Some(Self {
-            comb,
-            snap: rule == MarchingRule::Snap,
-            depth: depth.collect(),
-            weight: columns.weight,
-        })
+        Some(Self { comb, snap: rule == MarchingRule::Snap, depth: depth.collect(), weight: columns.weight })
     }
 
     /// The depths before step `i`, each with its weight.
     fn row(&self, i: usize) -> impl Iterator<Item = (f64, f64)> {
         let n = self.weight.len();
-        self.weight
-            .iter()
-            .copied()
-            .zip(self.depth[n * i..][..n].iter().copied())
+        self.weight.iter().copied().zip(self.depth[n * i..][..n].iter().copied())
     }
 
     /// P(t > x).
     pub(super) fn survival(&self, x: f64) -> f64 {
         if self.snap {
-            return self
-                .row(self.points_up_to(x))
-                .map(|(w, depth)| w * libm::exp(-depth))
-                .sum();
+            return self.row(self.points_up_to(x)).map(|(w, depth)| w * libm::exp(-depth)).sum();
         }
         let (i, s) = self.step(x);
         let ends = self.row(i).zip(self.row(i + 1));
-        ends.map(|((w, a), (_, b))| w * libm::exp(-(a + s * (b - a))))
-            .sum()
+        ends.map(|((w, a), (_, b))| w * libm::exp(-(a + s * (b - a)))).sum()
     }
 
     /// The step that holds `x`, and the fraction of it before `x`.
@@ -134,14 +117,8 @@ impl Columns<'_> {
         let mut worst = 0.0;
         for i in 0..=self.comb.steps {
             let terms = points(a, b).zip(&self.depth[first..]);
-            let difference: f64 = terms
-                .map(|((_, k, g), column)| (k - g) * libm::exp(-column[i]))
-                .sum();
-            worst = if difference.abs() > worst {
-                difference.abs()
-            } else {
-                worst
-            };
+            let difference: f64 = terms.map(|((_, k, g), column)| (k - g) * libm::exp(-column[i])).sum();
+            worst = if difference.abs() > worst { difference.abs() } else { worst };
         }
         worst
     }

@@ -3,12 +3,8 @@
 use crate::extinction::Cells;
 
 /// Chebyshev's points (1 - cos((2k + 1) pi / 8)) / 2.
-const CUBIC: [f64; 4] = [
-    0.038_060_233_744_356_63,
-    0.308_658_283_817_455_1,
-    0.691_341_716_182_544_9,
-    0.961_939_766_255_643_4,
-];
+const CUBIC: [f64; 4] =
+    [0.038_060_233_744_356_63, 0.308_658_283_817_455_1, 0.691_341_716_182_544_9, 0.961_939_766_255_643_4];
 
 /// How many look-ups a cell costs.
 pub(super) fn degree_points(cells: Cells) -> usize {
@@ -102,10 +98,7 @@ mod tests {
     fn the_cubic_through_four_values_is_the_cubic() {
         let c = [0.3, 1.0, 5.0, -4.0];
         let found = coefficients(CUBIC.map(|s| c[0] + s * (c[1] + s * (c[2] + s * c[3]))));
-        assert!(
-            found.iter().zip(c).all(|(found, c)| (found - c).abs() < 1e-13),
-            "{found:?}"
-        );
+        assert!(found.iter().zip(c).all(|(found, c)| (found - c).abs() < 1e-13), "{found:?}");
     }
 
     #[test]

@@ -21,12 +21,7 @@ impl Bounds {
         for (from, to) in low.into_iter().zip(high) {
             let span = format!("{from} to {to}");
             let ordered = from.is_finite() && to > from && (to - from).is_finite();
-            parameter::require(
-                ordered,
-                "bounds",
-                span,
-                "finite, from the low corner to the high one",
-            )?;
+            parameter::require(ordered, "bounds", span, "finite, from the low corner to the high one")?;
         }
         let extent = std::array::from_fn(|a| high[a] - low[a]);
         Ok(Self { low, extent })

@@ -72,9 +72,7 @@ impl Cubic {
     /// The places where the slope vanishes; NaN or infinite if there are none.
     fn level(&self) -> [f64; 2] {
         let rises: [f64; 3] = std::array::from_fn(|i| self.0[i + 1] - self.0[i]);
-        let largest = rises
-            .iter()
-            .fold(0.0, |x: f64, rise| if rise.abs() > x { rise.abs() } else { x });
+        let largest = rises.iter().fold(0.0, |x: f64, rise| if rise.abs() > x { rise.abs() } else { x });
         let [p, q, r] = rises.map(|rise| rise / largest); // p (1-s)^2 + 2 q s (1-s) + r s^2 = 0
         let (a, b) = (p - 2.0 * q + r, q - p);
         let root = (b * b - a * p).sqrt();
@@ -85,8 +83,5 @@ impl Cubic {
 
 /// `range`, widened to hold `value`.
 pub(super) fn widen((low, high): (f64, f64), value: f64) -> (f64, f64) {
-    (
-        if value < low { value } else { low },
-        if value > high { value } else { high },
-    )
+    (if value < low { value } else { low }, if value > high { value } else { high })
 }

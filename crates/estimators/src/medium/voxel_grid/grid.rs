@@ -36,12 +36,7 @@ impl Filter {
             Self::Nearest => (0.0, n, n - 1.0),
             Self::Trilinear => (0.5, n - 1.0, if n < 2.0 { 0.0 } else { n - 2.0 }),
         };
-        Axis {
-            start: start - shift,
-            slope,
-            top,
-            last,
-        }
+        Axis { start: start - shift, slope, top, last }
     }
 }
 
@@ -56,10 +51,7 @@ pub struct Rescale {
 
 impl Default for Rescale {
     fn default() -> Self {
-        Self {
-            scale: 1.0,
-            offset: 0.0,
-        }
+        Self { scale: 1.0, offset: 0.0 }
     }
 }
 
@@ -98,13 +90,7 @@ impl Grid {
         require_extinction(&volume, rescale)?;
         let [nx, ny, nz] = volume.shape;
         let step = |n: usize, stride: usize| if n > 1 { stride } else { 0 };
-        Ok(Self {
-            filter,
-            rescale,
-            bounds,
-            steps: [step(ny, nx), step(nz, nx * ny)],
-            volume,
-        })
+        Ok(Self { filter, rescale, bounds, steps: [step(ny, nx), step(nz, nx * ny)], volume })
     }
 
     /// Extinction along the ray from `origin` in `direction`, whose length does not matter.
@@ -121,10 +107,7 @@ impl Grid {
             ParameterError::new("origin", ray, "that of a ray which crosses the bounds")
         };
         let inside = self.bounds.enter(self.shape(), origin, unit).ok_or_else(missed)?;
-        let axis = |a| {
-            self.filter
-                .axis(self.shape()[a], inside.start[a], inside.slope[a])
-        };
+        let axis = |a| self.filter.axis(self.shape()[a], inside.start[a], inside.slope[a]);
         let line = Line::new(self.clone(), std::array::from_fn(axis));
         Ok(GridRay::new(line, inside.length))
     }
@@ -175,10 +158,7 @@ impl Grid {
 }
 
 fn require_cells(volume: &Volume) -> Result<(), ParameterError> {
-    let product = volume
-        .shape
-        .iter()
-        .try_fold(1usize, |cells, &n| cells.checked_mul(n));
+    let product = volume.shape.iter().try_fold(1usize, |cells, &n| cells.checked_mul(n));
     let cells = product.filter(|&cells| cells >= 1 && cells <= MOST_CELLS && cells == volume.values.len());
     let shape = format!("{:?} for {} values", volume.shape, volume.values.len());
     let must_be = format!("a shape of 1 to {MOST_CELLS} voxels, one for each value");

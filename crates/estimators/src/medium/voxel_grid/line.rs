@@ -54,11 +54,7 @@ pub(super) struct Line {
 impl Line {
     pub(super) fn new(grid: Grid, axes: [Axis; 3]) -> Self {
         let [nx, ny, _] = grid.shape().map(|n| n as f64);
-        Self {
-            grid,
-            axes,
-            strides: [1.0, nx, nx * ny],
-        }
+        Self { grid, axes, strides: [1.0, nx, nx * ny] }
     }
 
     pub(super) fn grid(&self) -> &Grid {

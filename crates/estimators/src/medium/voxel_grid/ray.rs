@@ -48,11 +48,7 @@ impl Cell {
         let corners = line.corners(index);
         let none = (f64::INFINITY, f64::NEG_INFINITY);
         let (least, most) = corners.into_iter().fold(none, widen);
-        let blended = if least < most {
-            4.0 * f64::EPSILON * most
-        } else {
-            0.0
-        };
+        let blended = if least < most { 4.0 * f64::EPSILON * most } else { 0.0 };
         let planes: usize = line.grid().shape().iter().sum();
         Self {
             mu: Cubic::along(&corners, from, to),
@@ -63,22 +59,14 @@ impl Cell {
     }
 
     fn constant(mu: f64) -> Self {
-        Self {
-            mu: Cubic::constant(mu),
-            least: mu,
-            most: mu,
-            rounding: 0.0,
-        }
+        Self { mu: Cubic::constant(mu), least: mu, most: mu, rounding: 0.0 }
     }
 
     /// What look-ups from `from` to `to` of the cell can give.
     fn range(&self, from: f64, to: f64) -> (f64, f64) {
         let (low, high) = self.mu.range(from, to);
         let (low, high) = (low - self.rounding, high + self.rounding);
-        (
-            if low < self.least { self.least } else { low },
-            if high > self.most { self.most } else { high },
-        )
+        (if low < self.least { self.least } else { low }, if high > self.most { self.most } else { high })
     }
 }
 
@@ -95,10 +83,7 @@ impl GridRay {
             cells,
             majorants: Majorants::default(),
         };
-        Self {
-            majorants: Majorants::tight(&unbounded, 1),
-            ..unbounded
-        }
+        Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded }
     }
 
     /// The cell at `t`, closed to the left.

@@ -12,10 +12,7 @@ pub(super) fn list<'de, V: Visitor<'de>>(items: &'de [Node], visitor: V) -> Resu
     let value = visitor.visit_seq(&mut reader)?;
     let (taken, length) = (reader.next, items.len());
     if taken < length {
-        return Err(Misfit::invalid_length(
-            length,
-            &format!("a tuple of size {taken}").as_str(),
-        ));
+        return Err(Misfit::invalid_length(length, &format!("a tuple of size {taken}").as_str()));
     }
     Ok(value)
 }
@@ -34,9 +31,7 @@ impl<'de> SeqAccess<'de> for &mut Items<'de> {
         };
         let index = self.next;
         self.next += 1;
-        seed.deserialize(item)
-            .map(Some)
-            .map_err(|misfit| misfit.under(Step::Index(index)))
+        seed.deserialize(item).map(Some).map_err(|misfit| misfit.under(Step::Index(index)))
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -63,9 +58,7 @@ impl<'de> MapAccess<'de> for Members<'de> {
         let Some(Member { key, .. }) = self.members.get(self.next) else {
             return Ok(None);
         };
-        seed.deserialize(key)
-            .map(Some)
-            .map_err(|misfit| misfit.at_key(key))
+        seed.deserialize(key).map(Some).map_err(|misfit| misfit.at_key(key))
     }
 
     fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value, Misfit> {
@@ -73,8 +66,7 @@ impl<'de> MapAccess<'de> for Members<'de> {
             return Err(Misfit::custom("a value was asked for without its key"));
         };
         self.next += 1;
-        seed.deserialize(value)
-            .map_err(|misfit| misfit.under(Step::Key(key.text().to_owned())))
+        seed.deserialize(value).map_err(|misfit| misfit.under(Step::Key(key.text().to_owned())))
     }
 
     fn size_hint(&self) -> Option<usize> {

@@ -45,10 +45,7 @@ impl<'de> VariantAccess<'de> for Variant<'de> {
 
     fn unit_variant(self) -> Result<(), Misfit> {
         match self.content {
-            None
-            | Some(Node {
-                value: Value::Null, ..
-            }) => Ok(()),
+            None | Some(Node { value: Value::Null, .. }) => Ok(()),
             Some(_) => {
                 let name = self.name.text();
                 let message = format!("`{name}` has no fields (must be \"{name}\" alone)");

@@ -51,18 +51,10 @@ fn integer(rust: &str) -> Option<String> {
 
 /// Arrays and tuples name their length in one way or another: it is the only number there.
 fn list(rust: &str) -> Option<String> {
-    let is_list = [
-        "an array of length",
-        "a tuple of size",
-        "tuple struct",
-        "tuple variant",
-    ];
+    let is_list = ["an array of length", "a tuple of size", "tuple struct", "tuple variant"];
     if !is_list.iter().any(|start| rust.starts_with(start)) {
         return None;
     }
     let length: usize = rust.split(' ').rev().find_map(|word| word.parse().ok())?;
-    Some(format!(
-        "a list of {length} {}",
-        if length == 1 { "value" } else { "values" }
-    ))
+    Some(format!("a list of {length} {}", if length == 1 { "value" } else { "values" }))
 }

@@ -18,11 +18,7 @@ pub(super) struct Fault {
 
 impl Fault {
     pub(super) fn new(span: Range<usize>, message: impl Into<String>) -> Fault {
-        Fault {
-            span,
-            message: message.into(),
-            inner_first: Vec::new(),
-        }
+        Fault { span, message: message.into(), inner_first: Vec::new() }
     }
 
     /// A string that goes on where its line ends.
@@ -40,11 +36,7 @@ impl Fault {
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Finding {
         let path: Vec<Step> = fault.inner_first.into_iter().rev().collect();
-        Finding {
-            span: fault.span,
-            path: written(&path),
-            message: fault.message,
-        }
+        Finding { span: fault.span, path: written(&path), message: fault.message }
     }
 }
 

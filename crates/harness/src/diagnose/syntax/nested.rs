@@ -20,10 +20,7 @@ impl<'a> Parser<'a> {
     pub(super) fn nested(&mut self, read: Read<'a>) -> Result<Value, Fault> {
         let open = self.span();
         if self.depth == MAX_DEPTH {
-            return Err(Fault::new(
-                open,
-                format!("the nesting is too deep (at most {MAX_DEPTH} levels)"),
-            ));
+            return Err(Fault::new(open, format!("the nesting is too deep (at most {MAX_DEPTH} levels)")));
         }
         self.depth += 1;
         self.advance()?;
@@ -35,9 +32,7 @@ impl<'a> Parser<'a> {
     pub(super) fn list(&mut self, open: &Range<usize>) -> Result<Value, Fault> {
         let mut items = Vec::new();
         while !self.closes(&Token::CloseBracket, open)? {
-            let item = self
-                .value()
-                .map_err(|fault| fault.under(Step::Index(items.len())))?;
+            let item = self.value().map_err(|fault| fault.under(Step::Index(items.len())))?;
             items.push(item);
             self.comma(&Token::CloseBracket, open)?;
         }
@@ -51,9 +46,7 @@ impl<'a> Parser<'a> {
             if let Some(first) = seen.insert(key.text().to_owned(), key.span.start) {
                 return Err(self.twice(key, first));
             }
-            let value = self
-                .value()
-                .map_err(|fault| fault.under(Step::Key(key.text().to_owned())))?;
+            let value = self.value().map_err(|fault| fault.under(Step::Key(key.text().to_owned())))?;
             members.push(Member { key, value });
             self.comma(&Token::CloseBrace, open)?;
         }
@@ -63,10 +56,7 @@ impl<'a> Parser<'a> {
     fn twice(&self, key: Node, first: usize) -> Fault {
         let line = line_of(self.text.get(..first).unwrap_or_default());
         let name = shortened(key.text());
-        Fault::new(
-            key.span,
-            format!("the key `{name}` stands twice (first on line {line})"),
-        )
+        Fault::new(key.span, format!("the key `{name}` stands twice (first on line {line})"))
     }
 
     /// A key and its colon.
@@ -88,10 +78,7 @@ impl<'a> Parser<'a> {
     fn closes(&self, close: &Token, open: &Range<usize>) -> Result<bool, Fault> {
         let Some(token) = &self.token else {
             let missing = format!("`{}` is missing before the end of the file", close.as_str());
-            return Err(Fault::new(
-                open.clone(),
-                format!("this is never closed ({missing})"),
-            ));
+            return Err(Fault::new(open.clone(), format!("this is never closed ({missing})")));
         };
         Ok(token == close)
     }

@@ -9,14 +9,9 @@ const EXACT: f64 = 9_007_199_254_740_992.0; // 2^53
 /// The value of a JSON number. `1e6` and `1000000.0` are whole numbers as `1000000` is, so that counts may be
 /// written that way; a type that wants an `f64` takes whole numbers too.
 pub(super) fn read(digits: &str) -> Result<Value, String> {
-    let real: f64 = digits
-        .parse()
-        .map_err(|_| format!("`{}` is no number", shortened(digits)))?;
+    let real: f64 = digits.parse().map_err(|_| format!("`{}` is no number", shortened(digits)))?;
     if !real.is_finite() {
-        return Err(format!(
-            "the number {} is too large (must be within the range of an f64)",
-            shortened(digits)
-        ));
+        return Err(format!("the number {} is too large (must be within the range of an f64)", shortened(digits)));
     }
     if real == 0.0 && real.is_sign_negative() {
         return Ok(Value::Real(real)); // an integer would lose the sign
@@ -55,21 +50,9 @@ mod tests {
 
     #[test]
     fn other_numbers_are_reals() {
-        for digits in [
-            "0.5",
-            "-1.5e-3",
-            "1e16",
-            "9007199254740992.0",
-            "18446744073709551616",
-            "-0",
-            "1e-400",
-        ] {
+        for digits in ["0.5", "-1.5e-3", "1e16", "9007199254740992.0", "18446744073709551616", "-0", "1e-400"] {
             let real = digits.parse().unwrap();
-            let expected = if real == 0.0 && digits != "-0" {
-                Value::Whole(0)
-            } else {
-                Value::Real(real)
-            };
+            let expected = if real == 0.0 && digits != "-0" { Value::Whole(0) } else { Value::Real(real) };
             assert_eq!(read(digits), Ok(expected), "{digits}");
         }
     }
@@ -77,9 +60,6 @@ mod tests {
     #[test]
     fn infinite_numbers_are_refused() {
         let message = read("-1e999").unwrap_err();
-        assert_eq!(
-            message,
-            "the number -1e999 is too large (must be within the range of an f64)"
-        );
+        assert_eq!(message, "the number -1e999 is too large (must be within the range of an f64)");
     }
 }

@@ -58,13 +58,7 @@ fn read(text: &str) -> Result<(), TestCaseError> {
 fn check(refused: &Diagnosis) -> Result<(), TestCaseError> {
     let plain = refused.to_string();
     prop_assert_eq!(plain.lines().count(), 5, "{}", plain);
-    prop_assert!(
-        !plain
-            .lines()
-            .any(|line| line.contains(crate::diagnose::words::is_invisible)),
-        "{}",
-        plain
-    );
+    prop_assert!(!plain.lines().any(|line| line.contains(crate::diagnose::words::is_invisible)), "{}", plain);
     prop_assert!(refused.line() > 0 && refused.column() > 0);
     prop_assert!(refused.excerpt().text.chars().count() <= 160);
     prop_assert_eq!(refused.render(true).lines().count(), 5);
@@ -130,8 +124,5 @@ proptest! {
 #[test]
 fn the_case_that_is_mutated_is_valid() {
     let case: Case = parse("cases/demo.json", VALID).unwrap();
-    assert_eq!(
-        (case.title.as_deref(), case.draws),
-        (Some("Gaussian \"bump\" é 漢"), 1_000_000)
-    );
+    assert_eq!((case.title.as_deref(), case.draws), (Some("Gaussian \"bump\" é 漢"), 1_000_000));
 }

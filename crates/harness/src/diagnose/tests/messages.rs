@@ -110,11 +110,7 @@ fn the_form_of_an_enum_is_explained() {
         "`tight` has no fields (must be \"tight\" alone)",
     );
     let one = "majorant has 2 keys (must be exactly one of `tight`, `constant`, `segments`)";
-    assert_blames(
-        r#"{ "majorant": {"tight": 1, "x": 2} }"#,
-        r#"{"tight": 1, "x": 2}"#,
-        one,
-    );
+    assert_blames(r#"{ "majorant": {"tight": 1, "x": 2} }"#, r#"{"tight": 1, "x": 2}"#, one);
     let names = "majorant is 6 (must be one of `tight`, `constant`, `segments`)";
     assert_blames(r#"{ "majorant": 6 }"#, "6", names);
     let most = "segments is 256 (must be a whole number from 0 to 255)";
@@ -124,18 +120,10 @@ fn the_form_of_an_enum_is_explained() {
 #[test]
 fn objects_and_lists_of_a_length_are_asked_for() {
     assert_blames("[1]", "[1]", "the file is a list (must be an object)");
-    assert_blames(
-        r#"{ "medium": {"gaussian": [1, 2]} }"#,
-        "[1, 2]",
-        "gaussian is a list (must be an object)",
-    );
+    assert_blames(r#"{ "medium": {"gaussian": [1, 2]} }"#, "[1, 2]", "gaussian is a list (must be an object)");
     for (bounds, values) in [("[0]", "1 value"), ("[0, 1, 2]", "3 values")] {
         let text = format!(r#"{{ "medium": {{"piecewise": {{"edges": [], "bounds": {bounds}}}}} }}"#);
-        assert_blames(
-            &text,
-            bounds,
-            &format!("bounds has {values} (must be a list of 2 values)"),
-        );
+        assert_blames(&text, bounds, &format!("bounds has {values} (must be a list of 2 values)"));
     }
 }
 
@@ -150,22 +138,10 @@ fn a_later_check_points_at_a_path() {
         "2 |   \"subjects\": [{}, { \"free_path\": { \"steps\": 1e6 }, \"odd key\": [7] }]",
         "  |                                              ^^^ at subjects[1].free_path.steps",
     ];
-    let steps = source.diagnose(
-        "subjects[1].free_path.steps",
-        "cannot judge the case: too many steps",
-    );
+    let steps = source.diagnose("subjects[1].free_path.steps", "cannot judge the case: too many steps");
     assert_eq!(steps.to_string(), rendered.join("\n"));
-    let columns = [
-        ("", 1, 1),
-        ("subjects", 2, 15),
-        ("subjects[0]", 2, 16),
-        ("subjects[2]", 2, 15),
-    ];
-    let odd = [
-        ("subjects[1][\"odd key\"][0]", 2, 65),
-        ("subjects[1].free_path.rule", 2, 35),
-        ("other", 1, 1),
-    ];
+    let columns = [("", 1, 1), ("subjects", 2, 15), ("subjects[0]", 2, 16), ("subjects[2]", 2, 15)];
+    let odd = [("subjects[1][\"odd key\"][0]", 2, 65), ("subjects[1].free_path.rule", 2, 35), ("other", 1, 1)];
     for (path, line, column) in columns.into_iter().chain(odd) {
         let place = source.diagnose(path, "x");
         assert_eq!((place.path(), place.line(), place.column()), (path, line, column));

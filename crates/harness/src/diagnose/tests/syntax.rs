@@ -9,29 +9,15 @@ fn comments_and_trailing_commas_are_allowed() {
     let text =
         format!("\u{feff}// one\r\n{{ /* two */ {GAUSSIAN}, \"majorant\": {{\"constant\": 3,}}, }} // three");
     let case: Case = parse("cases/demo.json", &text).unwrap();
-    assert_eq!(
-        case.medium,
-        Medium::Gaussian {
-            peak: 1.0,
-            width: 2.0
-        }
-    );
+    assert_eq!(case.medium, Medium::Gaussian { peak: 1.0, width: 2.0 });
     assert_eq!(case.majorant, Majorant::Constant(3.0));
     assert_eq!(case.title, None);
 }
 
 #[test]
 fn counts_may_be_written_as_floats() {
-    for (draws, expected) in [
-        ("1e6", 1_000_000),
-        ("64.0", 64),
-        ("18446744073709551615", u64::MAX),
-    ] {
-        let case: Case = parse(
-            "cases/demo.json",
-            &format!("{{ {GAUSSIAN}, \"draws\": {draws} }}"),
-        )
-        .unwrap();
+    for (draws, expected) in [("1e6", 1_000_000), ("64.0", 64), ("18446744073709551615", u64::MAX)] {
+        let case: Case = parse("cases/demo.json", &format!("{{ {GAUSSIAN}, \"draws\": {draws} }}")).unwrap();
         assert_eq!(case.draws, expected);
     }
 }
@@ -97,16 +83,9 @@ fn a_line_of_wide_characters_is_underlined_in_place() {
 
 #[test]
 fn a_long_line_is_cut_around_the_place() {
-    let text = format!(
-        "{{ \"title\": \"{}\", \"draws\": \"{}\" }}",
-        "a".repeat(300),
-        "b".repeat(300)
-    );
+    let text = format!("{{ \"title\": \"{}\", \"draws\": \"{}\" }}", "a".repeat(300), "b".repeat(300));
     let rendered = [
-        format!(
-            "error: cannot read the case: draws is the string \"{}...\" (must be {COUNT})",
-            "b".repeat(60)
-        ),
+        format!("error: cannot read the case: draws is the string \"{}...\" (must be {COUNT})", "b".repeat(60)),
         " --> cases/demo.json:1:325".to_owned(),
         "  |".to_owned(),
         format!("1 | ...{}\", \"draws\": \"{}...", "a".repeat(48), "b".repeat(93)),
@@ -125,21 +104,9 @@ fn slips_of_the_pen_are_explained() {
     assert_blames("{} 1", "1", "`1` follows the end (a file holds one value)");
     assert_blames("[1, 2}", "}", "`,` or `]` is missing before `}`");
     assert_blames("{ \"draws\": 01 }", "1", "`,` or `}` is missing before `1`");
-    assert_blames(
-        "{ \"draws\" 1 }",
-        "\"draws\"",
-        "`:` is missing after the key `draws`",
-    );
-    assert_blames(
-        "{ draws: 1 }",
-        "draws",
-        "`draws` is no key (must be a string in double quotes)",
-    );
-    assert_blames(
-        "{ \"draws\": NaN }",
-        "NaN",
-        &format!("`NaN` is no value ({value})"),
-    );
+    assert_blames("{ \"draws\" 1 }", "\"draws\"", "`:` is missing after the key `draws`");
+    assert_blames("{ draws: 1 }", "draws", "`draws` is no key (must be a string in double quotes)");
+    assert_blames("{ \"draws\": NaN }", "NaN", &format!("`NaN` is no value ({value})"));
     assert_blames("[,]", ",", &format!("`,` is no value ({value})"));
     let infinite = "the number 1e999 is too large (must be within the range of an f64)";
     assert_blames("{ \"draws\": 1e999 }", "1e999", infinite);

@@ -93,14 +93,7 @@ fn parse(text: &[u8], start: u64) -> Result<Header, Refusal> {
     else {
         return Err(broken());
     };
-    Ok(Header {
-        number,
-        width,
-        big_endian,
-        fortran,
-        shape,
-        start,
-    })
+    Ok(Header { number, width, big_endian, fortran, shape, start })
 }
 
 /// What is left of the header.
@@ -125,10 +118,7 @@ impl<'a> Text<'a> {
     }
 
     fn string(&mut self) -> Result<&'a [u8], Refusal> {
-        let quote = self
-            .peek()
-            .filter(|quote| b"'\"".contains(quote))
-            .ok_or_else(broken)?;
+        let quote = self.peek().filter(|quote| b"'\"".contains(quote)).ok_or_else(broken)?;
         let body = &self.0[1..];
         let end = body.iter().position(|&byte| byte == quote).ok_or_else(broken)?;
         self.0 = &body[end + 1..];
@@ -203,40 +193,18 @@ mod tests {
         let length = GOOD.len() as u8;
         let first = read(&[1, 0], &[length, 0], GOOD).unwrap();
         let third = read(&[3, 0], &[length, 0, 0, 0], GOOD).unwrap();
-        assert_eq!(
-            (first.start, third.start),
-            (GOOD.len() as u64 + 10, GOOD.len() as u64 + 12)
-        );
-        assert_eq!(
-            (first.shape, first.width, first.big_endian),
-            (vec![24, 96, 128], 4, true)
-        );
+        assert_eq!((first.start, third.start), (GOOD.len() as u64 + 10, GOOD.len() as u64 + 12));
+        assert_eq!((first.shape, first.width, first.big_endian), (vec![24, 96, 128], 4, true));
         let other = parsed("{ \"shape\":(7,),\"fortran_order\":True,\"descr\":\"|u1\"}").unwrap();
-        assert_eq!(
-            (other.shape, other.fortran, other.number),
-            (vec![7], true, Number::Unsigned)
-        );
+        assert_eq!((other.shape, other.fortran, other.number), (vec![7], true, Number::Unsigned));
         assert_eq!(read(&[4, 0], &[length, 0], GOOD).unwrap_err(), unknown_version());
-        assert_eq!(
-            read(&[2, 0], &[1, 0, 1, 0], GOOD).unwrap_err().cause,
-            "its header is too long"
-        );
+        assert_eq!(read(&[2, 0], &[1, 0, 1, 0], GOOD).unwrap_err().cause, "its header is too long");
         assert_eq!(read(&[2, 0], &[0, 0, 1, 0], GOOD).unwrap_err(), broken());
     }
 
     #[test]
     fn other_types_are_refused() {
-        for descr in [
-            "'<i8'",
-            "'<c16'",
-            "'|O'",
-            "'|S9'",
-            "'<f2'",
-            "'f4'",
-            "''",
-            "[('x', '<f4')]",
-            "[[[[[",
-        ] {
+        for descr in ["'<i8'", "'<c16'", "'|O'", "'|S9'", "'<f2'", "'f4'", "''", "[('x', '<f4')]", "[[[[["] {
             let changed = GOOD.replace("'>f4'", descr);
             assert_eq!(parsed(&changed), Err(wrong_type()), "{descr}");
         }

@@ -51,17 +51,8 @@ struct Matrix {
 impl Matrix {
     fn new(k: f64, h: f64) -> Self {
         let size = 2 * k as usize - 1;
-        let corner = if h > 0.5 && size < BAND {
-            powers_over_factorials(2.0 * h - 1.0)[size]
-        } else {
-            0.0
-        };
-        Self {
-            size,
-            entries: powers_over_factorials(1.0),
-            edges: powers_over_factorials(h),
-            corner,
-        }
+        let corner = if h > 0.5 && size < BAND { powers_over_factorials(2.0 * h - 1.0)[size] } else { 0.0 };
+        Self { size, entries: powers_over_factorials(1.0), edges: powers_over_factorials(h), corner }
     }
 
     /// Adds the smallest entries first: the other way round, rounding is biased by 4e-17 at every step.

@@ -23,30 +23,16 @@ pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noi
         test("kolmogorov_smirnov", z, None, p, Reason::WrongLaw),
         test("chi_square_64", squares, Some(63.0), seen, Reason::WrongLaw),
         test("escape_binomial", share, None, noise.uniform(), Reason::Biased),
-        test(
-            "serial_correlation",
-            z_serial,
-            None,
-            noise.uniform(),
-            Reason::Dependent,
-        ),
+        test("serial_correlation", z_serial, None, noise.uniform(), Reason::Dependent),
     ];
 }
 
 /// Fills in the difference of the distribution functions, and gives the largest.
 fn cdf(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) -> f64 {
-    let law: Vec<f64> = medium.channels[0]
-        .tau
-        .iter()
-        .map(|&tau| -libm::expm1(-tau))
-        .collect();
+    let law: Vec<f64> = medium.channels[0].tau.iter().map(|&tau| -libm::expm1(-tau)).collect();
     let bridge = noise.bridge(&law);
     let own: Vec<f64> = law.iter().map(|f| 4.0 * plan.bias * f * (1.0 - f)).collect();
-    let seen: Vec<f64> = bridge
-        .iter()
-        .zip(&own)
-        .map(|(b, o)| b / libm::sqrt(DRAWS as f64) + o)
-        .collect();
+    let seen: Vec<f64> = bridge.iter().zip(&own).map(|(b, o)| b / libm::sqrt(DRAWS as f64) + o).collect();
     let reals = |v: &[f64]| v.iter().map(|&x| Real(x)).collect::<Vec<_>>();
     result.series.cdf = Some(CdfSeries {
         t: reals(&medium.t),
@@ -86,19 +72,12 @@ fn at(medium: &Medium, values: &[f64], share: f64) -> f64 {
 fn histogram(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     let cells = 80;
     let channel = &medium.channels[0];
-    let mut series = HistogramSeries {
-        edges: vec![Real(0.0)],
-        ..HistogramSeries::default()
-    };
+    let mut series = HistogramSeries { edges: vec![Real(0.0)], ..HistogramSeries::default() };
     for i in 0..cells {
-        let (a, b) = (
-            f64::from(i) / f64::from(cells),
-            f64::from(i + 1) / f64::from(cells),
-        );
+        let (a, b) = (f64::from(i) / f64::from(cells), f64::from(i + 1) / f64::from(cells));
         let mass = libm::exp(-at(medium, &channel.tau, a)) - libm::exp(-at(medium, &channel.tau, b));
         let width = medium.length * (b - a);
-        let seen =
-            mass * (1.0 + plan.bias * (0.5 - a) * 8.0) + libm::sqrt(mass / DRAWS as f64) * noise.normal();
+        let seen = mass * (1.0 + plan.bias * (0.5 - a) * 8.0) + libm::sqrt(mass / DRAWS as f64) * noise.normal();
         series.edges.push((medium.length * b).into());
         series.expected.push((mass / width).into());
         series.density.push((seen / width).into());
@@ -114,10 +93,7 @@ fn residuals(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &m
     let tau = &medium.channels[0].tau;
     let edge = |i: usize| {
         let wanted = total * i as f64 / f64::from(cells);
-        let at = tau
-            .iter()
-            .position(|&tau| -libm::expm1(-tau) >= wanted)
-            .unwrap_or(tau.len() - 1);
+        let at = tau.iter().position(|&tau| -libm::expm1(-tau) >= wanted).unwrap_or(tau.len() - 1);
         Real(medium.t[at])
     };
     let drift = |i: i32| 120.0 * plan.bias * (0.5 - f64::from(i) / f64::from(cells));

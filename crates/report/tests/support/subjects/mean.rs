@@ -17,16 +17,8 @@ pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noi
     let own = truth * (1.0 + plan.bias);
     let mean = mean(truth, own, deviation, plan, noise);
     let varies = deviation > 0.0;
-    let z = if varies {
-        mean.bias.0 / deviation * libm::sqrt(DRAWS as f64)
-    } else {
-        0.0
-    };
-    let p = if varies || !is_biased(plan) {
-        libm::erfc(z.abs() / std::f64::consts::SQRT_2)
-    } else {
-        0.0
-    };
+    let z = if varies { mean.bias.0 / deviation * libm::sqrt(DRAWS as f64) } else { 0.0 };
+    let p = if varies || !is_biased(plan) { libm::erfc(z.abs() / std::f64::consts::SQRT_2) } else { 0.0 };
     result.tests = vec![
         test("mean_t", z, Some((DRAWS - 1) as f64), p, Reason::Biased),
         test("second_moment", 1.2, None, noise.uniform(), Reason::WrongVariance),
@@ -109,10 +101,7 @@ fn channels(result: &mut SubjectResult, medium: &Medium, noise: &mut Noise) {
     for (channel, series) in medium.channels.iter().enumerate() {
         let surface = libm::exp(-series.tau[series.tau.len() - 1]);
         for (event, truth) in [("scatter", 0.7 * (1.0 - surface)), ("surface", surface)] {
-            let plan = Plan {
-                kind: "chromatic",
-                ..Plan::new("chromatic", "balance", serde_json::json!({}))
-            };
+            let plan = Plan { kind: "chromatic", ..Plan::new("chromatic", "balance", serde_json::json!({})) };
             let mean = mean(truth, truth, 0.6 * libm::sqrt(truth), &plan, noise);
             result.tests.push(test(
                 &format!("mean_{event}_{channel}"),
@@ -121,11 +110,7 @@ fn channels(result: &mut SubjectResult, medium: &Medium, noise: &mut Noise) {
                 noise.uniform(),
                 Reason::Biased,
             ));
-            result.channels.push(ChannelResult {
-                channel,
-                event: event.into(),
-                mean,
-            });
+            result.channels.push(ChannelResult { channel, event: event.into(), mean });
         }
     }
     result.lookups = Real(0.0);

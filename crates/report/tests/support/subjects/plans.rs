@@ -22,23 +22,11 @@ pub(crate) struct Plan {
 impl Plan {
     pub(crate) fn new(kind: &'static str, estimator: &'static str, parameters: Value) -> Self {
         let inner = parameters.as_object().map_or(String::new(), |map| {
-            map.iter()
-                .map(|(k, v)| format!(" {k} {}", v.to_string().replace('"', "")))
-                .collect::<String>()
+            map.iter().map(|(k, v)| format!(" {k} {}", v.to_string().replace('"', ""))).collect::<String>()
         });
         let name = format!("{estimator}{inner}");
         let (bias, variance, lookups) = (0.0, 1.0, 3.0);
-        Self {
-            estimator,
-            kind,
-            name,
-            parameters,
-            bias,
-            variance,
-            lookups,
-            fault: None,
-            order: None,
-        }
+        Self { estimator, kind, name, parameters, bias, variance, lookups, fault: None, order: None }
     }
 
     fn cost(mut self, variance: f64, lookups: f64) -> Self {
@@ -60,9 +48,7 @@ fn plan(kind: &'static str, estimator: &'static str, parameters: Value) -> Plan 
 /// What meets the `i`th medium.
 pub(crate) fn all(medium: &Medium, i: usize) -> Vec<Plan> {
     if medium.name == "chromatic" {
-        return ["balance", "power", "single_channel"]
-            .map(|name| plan("chromatic", name, json!({})))
-            .into();
+        return ["balance", "power", "single_channel"].map(|name| plan("chromatic", name, json!({}))).into();
     }
     let mut all = unbiased(-libm::log(medium.escape()));
     if i.is_multiple_of(4) {
@@ -77,23 +63,14 @@ pub(crate) fn all(medium: &Medium, i: usize) -> Vec<Plan> {
     all.extend(controls(i));
     if i == 4 {
         let command = plan("free_path", "command", json!({"argv": ["python3", "mine.py"]}));
-        all.push(Plan {
-            bias: 0.004,
-            ..command
-        });
+        all.push(Plan { bias: 0.004, ..command });
     }
     all
 }
 
 fn unbiased(tau: f64) -> Vec<Plan> {
     let spread = libm::expm1(tau);
-    let residual = |control| {
-        plan(
-            "transmittance",
-            "residual_ratio_tracking",
-            json!({ "control": control }),
-        )
-    };
+    let residual = |control| plan("transmittance", "residual_ratio_tracking", json!({ "control": control }));
     vec![
         plan("free_path", "delta_tracking", json!({"form": "restart"})).cost(1.0, 2.1 * tau),
         plan("free_path", "delta_tracking", json!({"form": "carry"})).cost(1.0, 2.1 * tau),
@@ -109,11 +86,7 @@ fn unbiased(tau: f64) -> Vec<Plan> {
 
 fn stepping(kind: &'static str, rule: &'static str, steps: u32, order: f64, first: f64) -> Plan {
     let n = f64::from(steps);
-    let variance = if rule == "midpoint" {
-        0.0
-    } else {
-        0.4 / (n * n * n)
-    };
+    let variance = if rule == "midpoint" { 0.0 } else { 0.4 / (n * n * n) };
     let mut plan = plan(kind, "ray_marching", json!({"rule": rule, "steps": steps})).cost(variance, n);
     plan.order = Some((rule, u64::from(steps), order));
     plan.bias = first * libm::pow(n, -order);
@@ -121,10 +94,8 @@ fn stepping(kind: &'static str, rule: &'static str, steps: u32, order: f64, firs
 }
 
 fn controls(i: usize) -> Option<Plan> {
-    let free_path =
-        |fault, bias| Some(Plan::new("free_path", "delta_tracking", json!({})).fault(fault, bias));
-    let ratio =
-        |fault, bias| Some(Plan::new("transmittance", "ratio_tracking", json!({})).fault(fault, bias));
+    let free_path = |fault, bias| Some(Plan::new("free_path", "delta_tracking", json!({})).fault(fault, bias));
+    let ratio = |fault, bias| Some(Plan::new("transmittance", "ratio_tracking", json!({})).fault(fault, bias));
     match i {
         0 => free_path("float_uniforms", 0.01),
         2 => free_path("short_majorant", 0.03),
