@@ -2,6 +2,7 @@
 
 #![expect(unsafe_code, reason = "calling a function compiled for an instruction set that was detected")]
 
+use crate::parameter::ParameterError;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// An instruction set that the hot loops are compiled for.
@@ -44,9 +45,20 @@ pub fn isa() -> Isa {
     }
 }
 
+/// What `FREEPATH_ISA` asks for; everything if it says nothing, and the least if it says something unknown: better slow
+/// than other than was asked. [`check_environment`] tells.
 fn requested() -> Isa {
-    let name = std::env::var("FREEPATH_ISA").unwrap_or_default();
-    Isa::ALL.into_iter().find(|isa| isa.name() == name).unwrap_or(Isa::Avx512)
+    check_environment().unwrap_or(Isa::Baseline)
+}
+
+/// The instruction set that `FREEPATH_ISA` asks for.
+///
+/// # Errors
+/// If it names none.
+pub fn check_environment() -> Result<Isa, ParameterError> {
+    let Ok(name) = std::env::var("FREEPATH_ISA") else { return Ok(Isa::Avx512) };
+    let named = Isa::ALL.into_iter().find(|isa| isa.name() == name);
+    named.ok_or_else(|| ParameterError::new("FREEPATH_ISA", format!("{name:?}"), "baseline, avx2 or avx512"))
 }
 
 /// Use at most this instruction set from now on (tests, benches). Returns what is used: never more than the CPU has.

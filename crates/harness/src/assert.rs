@@ -15,10 +15,13 @@ use std::sync::atomic::AtomicBool;
 /// Draws of each route in stage 1: few enough for a build without optimisation.
 const DRAWS: u64 = 1 << 17;
 
+/// Look-ups and random words for each draw, all told: one that never ends is stopped within seconds.
+const LOOKUPS_PER_DRAW: u64 = 20_000;
+
 /// Panics unless `sampler` draws free paths of `medium`: by its block method and by its scalar one, over escapes,
 /// distances, ties, order, look-ups and majorant.
 ///
-/// A wrong alarm has a probability of at most 1e-6; the same seed gives the same draws. `FREEPATH_SEED` chooses another
+/// A wrong alarm has a probability of at most 1e-6 for each of the two methods; the same seed gives the same draws. `FREEPATH_SEED` chooses another
 /// seed, `FREEPATH_DRAWS` more draws.
 ///
 /// # Panics
@@ -52,9 +55,12 @@ pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &Chromatic) {
 }
 
 fn assert_subject(subject: &Subject, caller: &Location) {
+    if let Err(why) = freepath_estimators::simd::check_environment() {
+        panic!("{why}");
+    }
     let (seed, draws) = (setting("FREEPATH_SEED", 1), setting("FREEPATH_DRAWS", DRAWS));
     for route in [Route::Block, Route::Scalar] {
-        let subject = Subject { route, draws, ..subject.clone() };
+        let subject = Subject { route, draws, lookups_per_draw: LOOKUPS_PER_DRAW, ..subject.clone() };
         let plan = Plan::of(&subject);
         let trial = Trial::run(&subject, &plan, seed);
         let decision = trial.decide();
@@ -64,8 +70,19 @@ fn assert_subject(subject: &Subject, caller: &Location) {
     }
 }
 
+/// A whole number from the environment.
+///
+/// # Panics
+/// If it is set to anything else: a replay must not run with another seed in silence.
+#[track_caller]
 fn setting(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
+    match std::env::var(name) {
+        Err(_) => default,
+        Ok(text) => match text.parse() {
+            Ok(number) => number,
+            Err(why) => panic!("{name} must be a whole number, not {text:?}: {why}"),
+        },
+    }
 }
 
 /// Both stages of one subject.

@@ -73,7 +73,8 @@ fn sentence(evidence: &Evidence, adjusted: f64) -> String {
     } else {
         format!("{note}; statistic {statistic:.4}")
     };
-    format!("{name} rejects with p = {:.2e}, {adjusted:.2e} after Holm ({what})", evidence.p.unwrap_or(0.0))
+    let p = |p: f64| if p > 0.0 { format!("= {p:.2e}") } else { "< 1e-300".into() };
+    format!("{name} rejects with p {}, {} after Holm ({what})", p(evidence.p.unwrap_or(0.0)), p(adjusted))
 }
 
 /// Facts of either stage fail at once; a rejection fails if both stages make one; what is left open, or was put to no test

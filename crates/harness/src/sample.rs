@@ -2,7 +2,7 @@
 
 use crate::audit::{Audit, Audited};
 use crate::fault::{BlockPlace, Faulty, lay_over_draws};
-use crate::subject::{BUDGET_PER_DRAW, Route, Scene, Subject, Work};
+use crate::subject::{Route, Scene, Subject, Work};
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::{Spent, exponential};
@@ -37,7 +37,7 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
 pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
-    let budget = BUDGET_PER_DRAW.saturating_mul(draws.rows as u64);
+    let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
     let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();

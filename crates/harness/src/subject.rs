@@ -73,6 +73,8 @@ pub struct Subject<'a> {
     pub tolerance: f64,
     /// Bits of its uniforms.
     pub bits: u32,
+    /// Look-ups and random words that a block may take for each of its draws.
+    pub lookups_per_draw: u64,
     /// Faults laid over it.
     pub faults: &'a [Fault],
     /// Claims withdrawn.
@@ -94,6 +96,7 @@ impl<'a> Subject<'a> {
             bias_bound: None,
             tolerance: 0.0,
             bits: UNIFORM_BITS,
+            lookups_per_draw: BUDGET_PER_DRAW,
             faults: &[],
             without: &[],
             route: Route::Block,

@@ -18,6 +18,7 @@ use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
+    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
     let cases = prepared(args, color.colors(stderr().is_terminal()))?;
     files::open(&args.out)?;
     let cancelled = cancelled_by_signal()?;

@@ -28,7 +28,7 @@ pub fn expected(
         (None, true, _) => ("fail".into(), true, decision.verdict == Verdict::Fail),
         (None, false, Design::Seen) => ("fail: biased".into(), true, biased),
         (None, false, Design::Unsure) => (
-            "pass or fail: biased".into(),
+            "pass or fail: biased, at the edge of what can be seen".into(),
             true,
             biased || passed || held(Verdict::Inconclusive, Reason::NotEnoughDraws),
         ),

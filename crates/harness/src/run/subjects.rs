@@ -28,10 +28,6 @@ pub(super) fn result(
     let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) =
         expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
-    let draws = seen.map_or(0, |seen| seen.draws);
-    let per_draw = |lookups: u64| {
-        if draws > 0 { lookups as f64 / draws as f64 } else { 0.0 }
-    };
     let id = id(case, prepared);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
@@ -54,24 +50,33 @@ pub(super) fn result(
         as_expected,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         draws_requested: prepared.draws,
-        draws,
+        draws: seen.map_or(0, |seen| seen.draws),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
         law: cells.map(|(plan, cells)| law_result(plan, cells)),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        series: Series {
-            cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
-            histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
-            residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
-            running: mean.and(seen).map(|seen| series::running(&seen.running)),
-        },
-        lookups: Real(per_draw(seen.map_or(0, |seen| seen.counts.audit.lookups))),
+        series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
+        lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
         efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
         order: order(trial),
     }
+}
+
+/// The series of a law.
+fn of_law(cells: Option<(&LawPlan, &CellTally)>) -> Series {
+    Series {
+        cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
+        histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
+        residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
+        running: None,
+    }
+}
+
+fn lookups_per_draw(seen: &Collected) -> f64 {
+    if seen.draws > 0 { seen.counts.audit.lookups as f64 / seen.draws as f64 } else { 0.0 }
 }
 
 /// A subject's address in the results: file, ray, kind and name, in letters, digits, `-` and `_` only.
@@ -204,10 +209,11 @@ fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
     let bias = plan.design_bias();
     let variance = (sums.variance() + bias * bias) / (t * t);
     let spread = ((sums.kurtosis() - 1.0) / n).sqrt();
-    let exact = sums.constant() || sums.variance() <= 1e-24 * t * t;
+    // draws that are all 0 because none has hit are not exact
+    let exact = plan.own.is_none() && sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
     let refusal = match () {
         () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
-        () if exact && bias.abs() < 1e-300 => "zero variance: exact",
+        () if exact => "zero variance: exact",
         () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
             "dominated by rare events"
         }
@@ -219,7 +225,7 @@ fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
         relative_variance: Real(variance),
         low: Real(variance / factor),
         high: Real(variance * factor),
-        exact: exact && plan.own.is_none(),
+        exact,
         ranked: refusal.is_empty(),
         refusal: refusal.into(),
     }
