@@ -4,7 +4,7 @@ use freepath_harness::special::binomial_sf;
 use freepath_tests::{parse, results};
 use std::collections::BTreeMap;
 
-const SEEDS: u64 = 250;
+const SEEDS: u64 = 150;
 
 /// Right subjects of every kind, at four blocks each.
 const CASES: [&str; 3] = [
