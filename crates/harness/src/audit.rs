@@ -30,6 +30,9 @@ impl Audit {
 /// A medium whose look-ups are on record. One for each block, on one thread.
 ///
 /// Past its budget mu is NaN, which every loop over distances leaves; past twice the budget it unwinds with [`Spent`].
+///
+/// It cannot see a subject that never asks it, so that claims of the bound hold in vain where there are no look-ups: what is
+/// claimed of the cost shows that. Nor can it end a loop that neither looks up nor, one draw at a time, takes random numbers.
 pub struct Audited<'a> {
     medium: &'a dyn Extinction,
     budget: u64,
