@@ -15,6 +15,9 @@ use std::sync::{Mutex, PoisonError};
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
 
+/// Blocks at the start of a range in which all ties are counted.
+const FIRST_BLOCKS: u64 = 4;
+
 /// What a worker counts: integers, which merge in any order.
 #[derive(Clone, Debug, Default)]
 pub struct Counts {
@@ -97,12 +100,14 @@ impl Worker {
         }
     }
 
-    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: u64) -> Result<BlockSums, String> {
-        let record = sample_block(subject, key, first, &mut self.draws)?;
+    /// One block; `first` says whether it is among the first of its range.
+    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
+        let row = key.block * BLOCK as u64;
+        let record = sample_block(subject, key, row, &mut self.draws)?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        self.count(plan);
-        let early = if first == 0 { self.early(plan) } else { Vec::new() };
+        self.count(plan, first);
+        let early = if row == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan
             .mean
             .as_ref()
@@ -115,7 +120,7 @@ impl Worker {
         })
     }
 
-    fn count(&mut self, plan: &Plan) {
+    fn count(&mut self, plan: &Plan, first: bool) {
         let Self {
             draws, index, counts, ..
         } = self;
@@ -125,7 +130,7 @@ impl Worker {
                 counts.lag.observe(scores, index);
             }
             if law.pair.is_some() {
-                counts.ties.observe(&draws.t);
+                counts.ties.observe(&draws.t, first);
             }
         }
         if let Some(collisions) = &mut counts.collisions {
@@ -260,7 +265,7 @@ pub fn collect(
                     subject: subject.key,
                     block,
                 };
-                worker.run(subject, plan, key, block * BLOCK as u64)
+                worker.run(subject, plan, key, block - blocks.start < FIRST_BLOCKS)
             })
             .collect();
         if watch.cancelled.load(Ordering::Relaxed) {

@@ -2,6 +2,9 @@
 
 /// Fewest fine cells; always an odd number, so that no midpoint of a step rule falls on an edge.
 const FEWEST_CELLS: usize = (1 << 14) + 1;
+/// Of an equal share, the least that a group holds: what chi-square expects of a cell relies on it.
+pub(crate) const LEAST_SHARE: f64 = 0.9;
+
 /// Most fine cells.
 const MOST_CELLS: usize = (1 << 18) + 1;
 
@@ -72,7 +75,7 @@ impl Law {
         self.length
     }
 
-    /// How far every probability may be off.
+    /// How far every P(t > edge) may be off; a cell, which has two edges, twice as far.
     #[must_use]
     pub fn slack(&self) -> f64 {
         self.slack
@@ -137,15 +140,18 @@ impl Law {
         self.survival[from] - self.survival[to]
     }
 
-    /// At most `wanted` groups of nearly equal probability; fewer where one cell holds the share of several.
+    /// At most `wanted` groups of nearly equal probability, none less than [`LEAST_SHARE`] of an equal share; fewer where
+    /// one cell holds the share of several.
     #[must_use]
     pub fn groups(&self, wanted: usize) -> Groups {
-        let (per_group, mut bounds, mut next) = (wanted as f64 / self.collided(), vec![0], 1.0);
+        let per_group = wanted as f64 / self.collided();
+        let (mut bounds, mut next, mut last) = (vec![0], 1.0, 0.0);
         for k in 1..self.cells() {
             let reached = self.mass_between(0, k) * per_group;
-            if reached >= next && wanted as f64 - reached >= 0.5 {
+            let (share, rest) = (reached - last, wanted as f64 - reached);
+            if reached >= next && share >= LEAST_SHARE && rest >= LEAST_SHARE {
                 bounds.push(k);
-                next = reached.floor() + 1.0;
+                (next, last) = (reached.floor() + 1.0, reached);
             }
         }
         bounds.push(self.cells());
@@ -182,6 +188,21 @@ mod tests {
                 .iter()
                 .all(|m| (m * 64.0 / law.collided() - 1.0).abs() < 0.02)
         );
+    }
+
+    #[test]
+    fn no_group_is_much_lighter_than_its_share() {
+        for rate in [0.5, 40.0, 3e4, 1e5, 1e7] {
+            let law = Law::new(1.0, 0.0, |t| libm::exp(-rate * t));
+            for wanted in [2, 16, 64, 97, 502, 7962] {
+                let groups = law.groups(wanted);
+                let share = LEAST_SHARE * law.collided() / wanted as f64;
+                assert!(
+                    groups.mass.iter().all(|&mass| mass >= share * (1.0 - 1e-9)),
+                    "{rate} {wanted}"
+                );
+            }
+        }
     }
 
     #[test]

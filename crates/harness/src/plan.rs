@@ -141,13 +141,15 @@ fn closed_form(truth: &dyn Medium) -> TransmittanceClaims {
     }
 }
 
-/// Variance and skewness from raw moments.
+/// Variance and skewness from raw moments; the skewness is NaN, not known, where cancellation leaves too few digits of it.
 fn spread(moments: &[f64; 6]) -> (f64, f64) {
     let [m1, m2, m3, ..] = *moments;
     let variance = m2 - m1 * m1;
     let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
-    (
-        if variance > 0.0 { variance } else { 0.0 },
-        third / (variance * variance.sqrt()),
-    )
+    let skewness = if variance > 1e-9 * m1 * m1 {
+        third / (variance * variance.sqrt())
+    } else {
+        f64::NAN
+    };
+    (if variance > 0.0 { variance } else { 0.0 }, skewness)
 }

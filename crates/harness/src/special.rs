@@ -13,6 +13,7 @@ mod incomplete_beta;
 mod incomplete_gamma;
 mod kolmogorov;
 mod normal;
+mod pearson;
 mod poisson;
 mod saddle_point;
 mod student_t;
@@ -22,6 +23,7 @@ pub use chi_square::chi_square_sf;
 pub use clopper_pearson::clopper_pearson;
 pub use kolmogorov::ks_two_sided;
 pub use normal::{normal_quantile, normal_sf, normal_two_sided};
+pub use pearson::pearson_two_sided;
 pub use poisson::{poisson_cdf, poisson_sf, poisson_two_sided};
 pub use student_t::{student_t_sf, student_t_two_sided};
 

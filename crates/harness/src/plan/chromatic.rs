@@ -24,6 +24,23 @@ impl Event {
             Self::Between(from, to) => from <= t && t < to,
         }
     }
+
+    /// Its probability, if `mixture` are those of the channels.
+    fn probability(self, channels: &[Channel], mixture: &[f64]) -> f64 {
+        let of = |channel: &Channel| {
+            let (mu, length) = (channel.extinction.mu(0.0), channel.extinction.length());
+            match self {
+                Self::Scatter => -libm::expm1(-mu * length),
+                Self::Surface => libm::exp(-mu * length),
+                Self::Between(from, to) => -libm::exp(-mu * from) * libm::expm1(-mu * (to - from)),
+            }
+        };
+        channels
+            .iter()
+            .zip(mixture)
+            .map(|(channel, q)| q * of(channel))
+            .sum()
+    }
 }
 
 /// The weighted mean of one event in one channel.
@@ -61,8 +78,8 @@ impl ChannelsPlan {
     ) -> Self {
         let channels = medium.channels();
         let length = medium.length();
-        let each = |(k, channel): (usize, &Channel)| of_channel(subject, k, channel, length, claims);
-        let claims = channels.iter().enumerate().flat_map(each).collect();
+        let each = |k| of_channel(subject, k, &channels, length, claims);
+        let claims = (0..channels.len()).flat_map(each).collect();
         let inside = |t: f64| sampler.pdf(&channels, t).unwrap_or(f64::NAN);
         let surface = sampler.pdf(&channels, f64::INFINITY);
         let pdf_integral = surface.map(|surface| surface + integrate(&inside, 0.0, length, &[]).value);
@@ -70,49 +87,51 @@ impl ChannelsPlan {
     }
 }
 
+/// Skewness of an event that happens or not: its weights are about as skew, whether or not it is ever seen.
+fn skewness(p: f64) -> f64 {
+    (1.0 - 2.0 * p) / (p * (1.0 - p)).sqrt()
+}
+
+/// What is claimed of the weights of an event.
+fn weights(expected: f64, second_moment: Option<f64>, probability: Option<f64>, slack: f64) -> MeanClaim {
+    let variance = second_moment.map(|m2| m2 - expected * expected);
+    MeanClaim {
+        expected,
+        slack,
+        binary: false,
+        range: None,
+        variance: variance.map(|v| if v > 0.0 { v } else { 0.0 }),
+        skewness: probability.map(skewness),
+    }
+}
+
 fn of_channel(
     subject: &Subject,
     k: usize,
-    channel: &Channel,
+    channels: &[Channel],
     length: f64,
     claims: &ChromaticClaims,
 ) -> Vec<ChannelClaim> {
-    let (mu, albedo) = (channel.extinction.mu(0.0), channel.albedo);
+    let (mu, albedo) = (channels[k].extinction.mu(0.0), channels[k].albedo);
     let between = |a: f64, b: f64| albedo * (libm::exp(-mu * a) - libm::exp(-mu * b));
     let edge = |bin: usize| length * bin as f64 / BINS as f64;
-    let claim = |event, name: String, expected: f64, second_moment: Option<f64>| {
-        let variance = second_moment.map(|m2| m2 - expected * expected);
-        let variance = variance.map(|v| if v > 0.0 { v } else { 0.0 });
-        let mean = MeanClaim {
-            expected,
-            slack: subject.tolerance,
-            binary: false,
-            range: None,
-            variance,
-            skewness: None,
-        };
+    let claim = |event: Event, name: String, expected: f64, second_moment: Option<f64>| {
+        let mixture = claims.mixture.as_ref();
+        let probability = mixture.map(|q| event.probability(channels, q));
         ChannelClaim {
             channel: k,
             event,
             name,
-            mean,
+            mean: weights(expected, second_moment, probability, subject.tolerance),
             second_moment,
         }
     };
     let of = |moments: &Option<Vec<f64>>| moments.as_ref().and_then(|m| m.get(k).copied());
+    let (scatter, surface) = (of(&claims.scatter_moments), of(&claims.surface_moments));
+    let (scattered, through) = (between(0.0, length), libm::exp(-mu * length));
     let mut all = vec![
-        claim(
-            Event::Scatter,
-            format!("scatter_{k}"),
-            between(0.0, length),
-            of(&claims.scatter_moments),
-        ),
-        claim(
-            Event::Surface,
-            format!("surface_{k}"),
-            libm::exp(-mu * length),
-            of(&claims.surface_moments),
-        ),
+        claim(Event::Scatter, format!("scatter_{k}"), scattered, scatter),
+        claim(Event::Surface, format!("surface_{k}"), through, surface),
     ];
     all.extend((0..BINS).map(|bin| {
         let (from, to) = (edge(bin), edge(bin + 1));

@@ -46,7 +46,7 @@ impl Design {
         };
         let n = draws as f64;
         let atom = plan.truth.atom();
-        let z = (own.atom() - atom).abs() / (atom * (1.0 - atom) / n).sqrt();
+        let z = (own.atom() - atom).abs() / (atom * (1.0 - atom) / n + 1.0 / (n * n)).sqrt(); // at least one draw
         let groups = plan.truth.groups(16);
         let shift = |w: &[usize]| own.mass_between(w[0], w[1]) - plan.truth.mass_between(w[0], w[1]);
         let noncentrality: f64 = groups

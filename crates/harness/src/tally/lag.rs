@@ -1,3 +1,4 @@
+use super::CellTally;
 use super::cells::ESCAPE;
 use crate::law::Law;
 
@@ -8,7 +9,7 @@ use crate::law::Law;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LagTally {
     /// The sum of (score - mean)(next score - mean), in units of 2^-30, over pairs within blocks.
-    pub products: i64,
+    pub products: i128,
     /// How many pairs.
     pub pairs: u64,
 }
@@ -21,6 +22,7 @@ pub struct Scores {
     cells: Vec<i32>,
     escape: i32,
     variance: f64,
+    skewness: f64,
 }
 
 impl Scores {
@@ -40,12 +42,15 @@ impl Scores {
         };
         let mean = weighted(&|score| score).round();
         let offset = weighted(&|score| score - mean);
-        let variance = weighted(&|score| (score - mean) * (score - mean)) - offset * offset;
-        let centred = cells.iter().map(|score| (score - mean) as i32).collect();
+        let centred = |score: f64| score - mean - offset;
+        let variance = weighted(&|score| centred(score) * centred(score));
+        let third = weighted(&|score| centred(score) * centred(score) * centred(score));
+        let whole = cells.iter().map(|score| (score - mean) as i32).collect();
         Self {
-            cells: centred,
+            cells: whole,
             escape: (escape - mean) as i32,
             variance,
+            skewness: third / (variance * variance.sqrt()),
         }
     }
 
@@ -53,6 +58,21 @@ impl Scores {
     #[must_use]
     pub fn variance(&self) -> f64 {
         self.variance
+    }
+
+    /// Skewness of one score; NaN if nothing varies.
+    #[must_use]
+    pub fn skewness(&self) -> f64 {
+        self.skewness
+    }
+
+    /// The mean score of the draws in `tally`.
+    #[must_use]
+    pub fn mean_of(&self, tally: &CellTally) -> f64 {
+        let scored = |(&count, &score): (&u64, &i32)| i128::from(count) * i128::from(score);
+        let inside: i128 = tally.cells.iter().zip(&self.cells).map(scored).sum();
+        let sum = inside + i128::from(tally.escapes) * i128::from(self.escape);
+        sum as f64 / tally.draws() as f64
     }
 
     #[inline(always)]
@@ -71,13 +91,13 @@ impl LagTally {
         let Some((&first, rest)) = index.split_first() else {
             return;
         };
-        let (mut previous, mut sum) = (i64::from(scores.of(first)), 0);
+        let (mut previous, mut sum) = (i64::from(scores.of(first)), 0); // a block fits: 2^14 products of 2^30
         for &cell in rest {
             let score = i64::from(scores.of(cell));
             sum += previous * score;
             previous = score;
         }
-        self.products += sum;
+        self.products += i128::from(sum);
         self.pairs += rest.len() as u64;
     }
 

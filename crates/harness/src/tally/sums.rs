@@ -23,6 +23,9 @@ pub struct PowerSums {
     pub non_finite: u64,
 }
 
+/// A variance whose 3/2 power is far from underflow.
+const LEAST_VARIANCE: f64 = 1e-180;
+
 impl PowerSums {
     /// No draws yet.
     #[must_use]
@@ -116,12 +119,16 @@ impl PowerSums {
         (if m2 < 0.0 { 0.0 } else { m2 }) / (n - 1.0)
     }
 
-    /// Sample skewness; 0 if nothing varies.
+    /// Sample skewness; 0 if nothing varies, NaN if the draws are so small that their cubes underflow.
     #[must_use]
     pub fn skewness(&self) -> f64 {
         let (n, b, v) = (self.n as f64, self.bias(), self.variance());
         let m3 = self.sums[2] / n - 3.0 * b * self.sums[1] / n + 2.0 * b * b * b;
-        if v > 0.0 { m3 / (v * v.sqrt()) } else { 0.0 }
+        match () {
+            () if v > LEAST_VARIANCE => m3 / (v * v.sqrt()),
+            () if self.constant() || b * b > LEAST_VARIANCE => 0.0,
+            () => f64::NAN,
+        }
     }
 
     /// Sample kurtosis E (x - mean)^4 / variance^2; 0 if nothing varies.

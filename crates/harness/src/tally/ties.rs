@@ -4,22 +4,16 @@ use std::collections::HashMap;
 const HELD: usize = 1 << 16;
 
 /// Equal values among the draws, from those whose bit hash lies below a threshold that halves whenever too many are
-/// held: a choice by value, so that equal values stay together.
-#[derive(Clone, Debug, PartialEq)]
+/// held: a choice by value, so that equal values stay together; and from all of the first draws, since that choice drops
+/// a single value that comes back often as likely as any other, and surely once it fills the table.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TieTally {
     /// Bits of the values held, with repeats.
     held: Vec<u64>,
     /// Values are held if their hash is below 2^64 / 2^halvings.
     halvings: u32,
-}
-
-impl Default for TieTally {
-    fn default() -> Self {
-        Self {
-            held: Vec::new(),
-            halvings: 0,
-        }
-    }
+    /// Bits of all values of the blocks that were said to be among the first.
+    first: Vec<u64>,
 }
 
 #[inline(always)]
@@ -29,8 +23,12 @@ fn hash(bits: u64) -> u64 {
 }
 
 impl TieTally {
-    /// Takes in the finite draws of a column.
-    pub fn observe(&mut self, t: &[f64]) {
+    /// Takes in the finite draws of a column; `first` says whether it is one of the first blocks.
+    pub fn observe(&mut self, t: &[f64], first: bool) {
+        if first {
+            let finite = t.iter().filter(|t| t.is_finite());
+            self.first.extend(finite.map(|t| t.to_bits()));
+        }
         for &t in t {
             let bits = t.to_bits();
             if hash(bits) <= u64::MAX >> self.halvings && t.is_finite() {
@@ -48,6 +46,7 @@ impl TieTally {
             self.halvings
         };
         self.held.extend(other.held);
+        self.first.extend(other.first);
         self.drop_above();
         self.thin();
     }
@@ -73,12 +72,22 @@ impl TieTally {
     /// Pairs of equal values among those held.
     #[must_use]
     pub fn pairs(&self) -> u64 {
-        let mut counts = HashMap::new();
-        for bits in &self.held {
-            *counts.entry(bits).or_insert(0u64) += 1;
-        }
-        counts.values().map(|&c| c * (c - 1) / 2).sum()
+        equal_pairs(&self.held)
     }
+
+    /// Pairs of equal values among the first draws, and how many of those are finite.
+    #[must_use]
+    pub fn first_pairs(&self) -> (u64, u64) {
+        (equal_pairs(&self.first), self.first.len() as u64)
+    }
+}
+
+fn equal_pairs(values: &[u64]) -> u64 {
+    let mut counts = HashMap::new();
+    for bits in values {
+        *counts.entry(bits).or_insert(0u64) += 1;
+    }
+    counts.values().map(|&c| c * (c - 1) / 2).sum()
 }
 
 #[cfg(test)]
@@ -93,10 +102,10 @@ mod tests {
     fn the_outcome_does_not_depend_on_who_held_what() {
         let all = values(300_000);
         let mut whole = TieTally::default();
-        whole.observe(&all);
+        whole.observe(&all, false);
         let (mut a, mut b) = (TieTally::default(), TieTally::default());
-        a.observe(&all[..290_000]);
-        b.observe(&all[290_000..]);
+        a.observe(&all[..290_000], false);
+        b.observe(&all[290_000..], false);
         b.merge(a);
         whole.held.sort_unstable();
         b.held.sort_unstable();
@@ -105,10 +114,22 @@ mod tests {
     }
 
     #[test]
+    fn one_value_that_comes_back_is_seen_among_the_first() {
+        let mut tally = TieTally::default();
+        for block in 0..80 {
+            let mut t: Vec<f64> = (0..16_384).map(|i| f64::from(block * 16_384 + i) / 7.0).collect();
+            t[..8_000].fill(0.25);
+            tally.observe(&t, block < 4);
+        }
+        assert_eq!(tally.pairs(), 0, "the table has no room for so many");
+        assert_eq!(tally.first_pairs(), (32_000 * 31_999 / 2, 4 * 16_384));
+    }
+
+    #[test]
     fn repeats_are_seen_after_thinning() {
         let mut tally = TieTally::default();
-        tally.observe(&values(200_000));
-        tally.observe(&values(200_000));
+        tally.observe(&values(200_000), false);
+        tally.observe(&values(200_000), false);
         let expected = 200_000.0 * tally.share();
         assert!((tally.pairs() as f64 / expected - 1.0).abs() < 0.05);
     }

@@ -14,8 +14,17 @@ the smaller tail.";
 pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evidence {
     let share = escapes as f64 / n as f64;
     let null = nearest(share, atom, slack);
-    let z = (share - atom) / (atom * (1.0 - atom) / n as f64).sqrt();
+    let z = standardised(share - atom, (atom * (1.0 - atom) / n as f64).sqrt());
     Evidence::new("atom", z, None, binomial_two_sided(n, null, escapes), reason)
+}
+
+/// difference / error, 0 if there is no difference: 0 / 0 where nothing varies.
+pub(super) fn standardised(difference: f64, error: f64) -> f64 {
+    if difference == 0.0 {
+        0.0
+    } else {
+        difference / error
+    }
 }
 
 /// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.
@@ -38,6 +47,16 @@ mod tests {
         assert!(atom(1_000_000, 135_335, 0.135_335, 0.0, Reason::WrongLaw).p > Some(0.9));
         assert!(atom(1_000_000, 137_335, 0.135_335, 0.0, Reason::WrongLaw).p < Some(1e-7));
         assert_eq!(atom(1000, 10, f64::NAN, 0.0, Reason::WrongLaw).p, Some(0.0));
+    }
+
+    #[test]
+    fn certain_atoms_allow_no_exception() {
+        for certain in [0.0, 1.0] {
+            let all = 1000 * certain as u64;
+            let evidence = |escapes| atom(1000, escapes, certain, 0.0, Reason::WrongLaw);
+            assert_eq!((evidence(all).p, evidence(all).statistic), (Some(1.0), 0.0));
+            assert_eq!(evidence(999 - 998 * (1 - all / 1000)).p, Some(0.0));
+        }
     }
 
     #[test]

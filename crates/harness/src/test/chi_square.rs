@@ -1,5 +1,5 @@
 use crate::evidence::Evidence;
-use crate::law::{Groups, Law};
+use crate::law::{Groups, LEAST_SHARE, Law};
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
 use crate::verdict::Reason;
@@ -7,8 +7,11 @@ use crate::verdict::Reason;
 pub(super) const WORDS: &str = "Counts in nearly equiprobable cells of the free path, and of escapes, against their probabilities \
 (Pearson 1900). 16 cells see broad errors best, 64 and about 2 n^0.4 cells see narrow ones.";
 
-/// Least expectation of a cell: below it the chi-square tail is not trusted near 1e-7.
-pub(crate) const LEAST_EXPECTED: f64 = 50.0;
+/// Least expectation of each of so many cells. Below it the chi-square tail is not trusted: with 16 cells of 50 p-values of 1e-6
+/// come 1.3 to 1.5 times too often, with 2 cells of 50 more than 4 times, since the skewness of a single cell shows.
+pub(crate) fn least_expected(cells: usize) -> f64 {
+    if cells < 16 { 800.0 / cells as f64 } else { 50.0 }
+}
 
 /// Pearson's chi-square over about `wanted` equiprobable cells and the escape cell.
 ///
@@ -16,13 +19,17 @@ pub(crate) const LEAST_EXPECTED: f64 = 50.0;
 /// X = sum (O - E)^2 / E,   E = n p,   dof = cells - 1
 /// ```
 ///
-/// Fewer cells are used where the expectation would fall below 50; an escape cell that expects fewer joins the last.
-/// Each |O - E| is lessened by n times the law's slack.
+/// Fewer cells are used where the expectation would fall below 50, or 800 over the cells; an escape cell that expects fewer
+/// joins the last.
+/// Each |O - E| is lessened by 2 n times the law's slack: a cell has two edges.
 #[must_use]
 pub fn chi_square(name: &str, law: &Law, tally: &CellTally, wanted: usize, reason: Reason) -> Evidence {
     let (n, seen) = (tally.draws() as f64, residuals(law, tally, wanted));
     let Some((_, residual, _)) = seen else {
-        let why = format!("fewer than two cells would expect {LEAST_EXPECTED} of {n} draws");
+        let why = format!(
+            "fewer than two cells would expect {} of {n} draws",
+            least_expected(2)
+        );
         return Evidence::withheld(name, f64::NAN, reason, why);
     };
     let statistic: f64 = residual.iter().map(|r| r * r).sum();
@@ -35,12 +42,7 @@ pub fn chi_square(name: &str, law: &Law, tally: &CellTally, wanted: usize, reaso
 #[must_use]
 pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups, Vec<f64>, bool)> {
     let n = tally.draws() as f64;
-    let affordable = (n * law.collided() / (1.1 * LEAST_EXPECTED)).floor() as usize;
-    let cells = if wanted < affordable { wanted } else { affordable };
-    let escape = n * law.atom() >= LEAST_EXPECTED;
-    if cells + usize::from(escape) < 2 || cells == 0 {
-        return None;
-    }
+    let (cells, escape) = affordable(n * law.collided(), n * law.atom(), wanted)?;
     let groups = law.groups(cells);
     let mut observed = groups.gather(&tally.cells);
     let mut mass = groups.mass.clone();
@@ -54,16 +56,30 @@ pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups,
     let residual = observed
         .iter()
         .zip(&mass)
-        .map(|(&o, &p)| residual(o as f64, n * p, n * law.slack()));
+        .map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * law.slack()));
     let residual = residual.collect();
     Some((groups, residual, escape))
 }
 
+/// At most `wanted` cells for so many collisions, and whether so many escapes make one of their own.
+fn affordable(collisions: f64, escapes: f64, wanted: usize) -> Option<(usize, bool)> {
+    let enough = |&(cells, escape): &(usize, bool)| {
+        let total = cells + usize::from(escape);
+        total >= 2 && LEAST_SHARE * collisions / cells as f64 >= least_expected(total)
+    };
+    let with_escape = |cells| (cells, escapes >= least_expected(cells + 1));
+    (1..=wanted).rev().map(with_escape).find(enough)
+}
+
 /// (O - E) / sqrt(E), with |O - E| lessened by `slack`.
 pub(crate) fn residual(observed: f64, expected: f64, slack: f64) -> f64 {
-    let gap = (observed - expected).abs() - slack;
-    let gap = if gap < 0.0 { 0.0 } else { gap };
-    gap.copysign(observed - expected) / expected.sqrt()
+    lessened(observed - expected, slack) / expected.sqrt()
+}
+
+/// The difference brought towards 0 by `slack`; NaN stays.
+pub(crate) fn lessened(difference: f64, slack: f64) -> f64 {
+    let size = difference.abs() - slack;
+    (if size < 0.0 { 0.0 } else { size }).copysign(difference)
 }
 
 #[cfg(test)]

@@ -29,23 +29,37 @@ pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, r
             .map(|p| p * law.atom()),
     );
     observed.extend((0..tally.rows()).map(|n| tally.count(n, tally.columns() - 1)));
-    pooled("coleman", &observed, &mass, reason)
+    pooled("coleman", &observed, &mass, 2.0 * law.slack(), reason)
 }
 
-/// P(n collisions, t in the fine cells from..to), n = 0, 1, ..: in each fine cell Simpson's rule over A.
+/// P(n collisions, t in the fine cells from..to), n = 0, 1, ..: Simpson's rule over A in steps of one cell or more, over which
+/// the density hardly falls.
 fn column_mass(law: &Law, from: usize, to: usize, null_depth: &impl Fn(f64) -> f64, rows: usize) -> Vec<f64> {
     let mut column = vec![0.0; rows];
-    let stride = 1 + (to - from) / 256;
-    for start in (from..to).step_by(stride) {
-        let end = if start + stride < to { start + stride } else { to };
+    let mut start = from;
+    while start < to {
+        let end = step(law, start, to, 1 + (to - from) / 256);
         let mass = law.mass_between(start, end);
         let (a, b) = (law.edge(start), law.edge(end));
         let depths = [(a, 1.0 / 6.0), (0.5 * (a + b), 4.0 / 6.0), (b, 1.0 / 6.0)];
         for (t, weight) in depths {
             add_poisson(&mut column[1..], null_depth(t), mass * weight);
         }
+        start = end;
     }
     column
+}
+
+/// The end of a step from `start`: at most `stride` cells, of which no more than 1/64 of what is left is lost; all that is
+/// left, if that is next to nothing.
+fn step(law: &Law, start: usize, to: usize, stride: usize) -> usize {
+    let left = law.survival(start);
+    if law.mass_between(start, to) < 1e-15 {
+        return to;
+    }
+    let furthest = if start + stride < to { start + stride } else { to };
+    let few = |end: &usize| law.mass_between(start, *end) <= left / 64.0;
+    (start + 2..=furthest).take_while(few).last().unwrap_or(start + 1)
 }
 
 /// Adds `mass` times the Poisson probabilities of `mean`, the tail in the last place.

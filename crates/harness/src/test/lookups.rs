@@ -1,3 +1,4 @@
+use super::chi_square::lessened;
 use crate::evidence::Evidence;
 use crate::special::student_t_two_sided;
 use crate::verdict::Reason;
@@ -27,6 +28,13 @@ impl BlockLookups {
         });
     }
 
+    /// Whether, all blocks being alike, every draw must have cost the same: nothing, or a whole number in each of several
+    /// blocks, which draws of random cost seldom add up to.
+    fn steady(&self, rows: usize) -> bool {
+        let whole = self.sum.is_multiple_of(u128::from(self.blocks) * rows as u128);
+        self.sum == 0 || (self.blocks >= 3 && whole)
+    }
+
     /// Adds the blocks of another worker.
     pub fn merge(&mut self, other: &Self) {
         self.blocks += other.blocks;
@@ -35,55 +43,75 @@ impl BlockLookups {
     }
 }
 
-/// The cost law: `expected` look-ups per draw, over blocks of `rows` draws.
+/// Fewest blocks for Student's t.
+const FEWEST_BLOCKS: u64 = 20;
+
+/// The cost law: `expected` look-ups per draw, known up to `slack`, over blocks of `rows` draws.
+///
+/// A cost that does not vary is held against the chance that all `n` draws cost the same although the mean says otherwise:
+///
+/// ```text
+/// p = exp(-|total - n expected| / c),   c = 1 + the cost of a draw, the most that a rare draw is taken to change
+/// ```
+///
+/// Student's t is withheld where what varies may be a few such rare draws: variance of all n draws < 400 c^2.
 #[must_use]
-pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64) -> Evidence {
+pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> Evidence {
     let (blocks, want) = (seen.blocks as f64, expected * rows as f64);
     let mean = seen.sum as f64 / blocks;
+    let excess = lessened(mean - want, slack * rows as f64 + 1e-9 * (want + 1.0));
+    let evidence = |statistic, dof, p| Evidence::new("lookups", statistic, dof, p, Reason::WrongCost);
+    let largest = 1.0 + (if mean > want { mean } else { want }) / rows as f64;
     let scatter = seen.squares * u128::from(seen.blocks) - seen.sum * seen.sum;
-    let excess = mean - want;
-    if scatter == 0 && seen.blocks > 0 {
-        let exact = excess.abs() <= 1e-9 * (want + 1.0);
-        return Evidence::new(
-            "lookups",
-            excess,
-            None,
-            f64::from(u8::from(exact)),
-            Reason::WrongCost,
-        );
-    }
-    if seen.blocks < 20 {
-        return Evidence::withheld("lookups", excess, Reason::WrongCost, "fewer than 20 blocks");
+    if scatter == 0 && (excess == 0.0 || seen.steady(rows)) {
+        return evidence(excess, None, libm::exp(-blocks * excess.abs() / largest));
     }
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
+    if seen.blocks < FEWEST_BLOCKS || !(blocks * variance >= 400.0 * largest * largest) {
+        let why = "fewer than 20 blocks, or too few draws whose cost differs";
+        return Evidence::withheld("lookups", excess, Reason::WrongCost, why);
+    }
     let t = excess / (variance / blocks).sqrt();
-    Evidence::new(
-        "lookups",
-        t,
-        Some(blocks - 1.0),
-        student_t_two_sided(blocks - 1.0, t),
-        Reason::WrongCost,
-    )
+    evidence(t, Some(blocks - 1.0), student_t_two_sided(blocks - 1.0, t))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const ROWS: u64 = 16_384;
+
+    fn p(totals: &[u64], expected: f64) -> Option<f64> {
+        let mut seen = BlockLookups::default();
+        totals.iter().for_each(|&total| seen.observe(total));
+        lookups(&seen, ROWS as usize, expected, 0.0).p
+    }
+
     #[test]
     fn a_doubled_look_up_is_rejected() {
-        let mut seen = BlockLookups::default();
-        (0..60).for_each(|i| seen.observe(16_384 + (i * 37) % 101));
-        let p = |expected| lookups(&seen, 16_384, expected).p;
-        assert!(p(1.003) > Some(1e-3));
-        assert!(p(0.5) < Some(1e-12));
+        let totals: Vec<u64> = (0..60).map(|i| ROWS + (i * 37) % 101).collect();
+        assert!(p(&totals, 1.003) > Some(1e-3));
+        assert!(p(&totals, 0.5) < Some(1e-12));
     }
 
     #[test]
     fn a_fixed_cost_is_compared_exactly() {
-        let mut seen = BlockLookups::default();
-        (0..5).for_each(|_| seen.observe(8 * 16_384));
-        assert_eq!(lookups(&seen, 16_384, 8.0).p, Some(1.0));
-        assert_eq!(lookups(&seen, 16_384, 7.0).p, Some(0.0));
+        assert_eq!(p(&[8 * ROWS; 5], 8.0), Some(1.0));
+        assert_eq!(p(&[8 * ROWS], 8.0), Some(1.0));
+        assert_eq!(p(&[8 * ROWS; 5], 7.0), Some(0.0));
+        assert_eq!(p(&[0], 2.0), Some(0.0), "never a look-up");
+    }
+
+    #[test]
+    fn one_block_of_random_cost_says_nothing() {
+        assert_eq!(p(&[ROWS + 77], 1.0), None);
+    }
+
+    #[test]
+    fn rare_changes_of_cost_are_not_missed_before_they_come() {
+        assert!(p(&[0; 62], 1e-6) > Some(0.3));
+        assert!(p(&[4 * ROWS; 62], 4.0 - 1e-6) > Some(0.3));
+        assert_eq!(p(&[ROWS, ROWS + 1, ROWS], 1.0), None);
+        assert!(p(&[4 * ROWS; 62], 4.0 - 1e-3) < Some(1e-9));
     }
 }

@@ -1,4 +1,6 @@
-use super::atom::nearest;
+use super::atom::{nearest, standardised};
+use super::chi_square::lessened;
+use super::kolmogorov::larger;
 use crate::evidence::{Evidence, POWER, REPORTING_LEVEL};
 use crate::special::{
     binomial_two_sided, clopper_pearson, normal_quantile, normal_two_sided, student_t_two_sided,
@@ -22,7 +24,7 @@ pub struct MeanClaim {
     pub range: Option<(f64, f64)>,
     /// Exact variance, where known.
     pub variance: Option<f64>,
-    /// Exact skewness, where known.
+    /// Exact skewness, or a size that it cannot be far below, where known; NaN if not.
     pub skewness: Option<f64>,
 }
 
@@ -31,7 +33,7 @@ pub struct MeanClaim {
 pub enum Method {
     /// Exact binomial and Clopper-Pearson (1934).
     Binomial,
-    /// No variance: compared at 1e-12 relative and the slack.
+    /// No variance: compared up to rounding and the slack.
     Exact,
     /// Student's t.
     StudentT,
@@ -76,7 +78,7 @@ impl Interval {
     #[must_use]
     pub fn bound(&self) -> f64 {
         let (low, high) = (self.low.abs(), self.high.abs());
-        if low <= high { high } else { low } // NaN stays
+        larger(low, high)
     }
 }
 
@@ -86,7 +88,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     let method = method(sums, claim);
     let excess = excess(sums, claim);
     let (n, error) = (sums.n as f64, (sums.variance() / sums.n as f64).sqrt());
-    let t = excess / error;
+    let t = standardised(excess, error);
     let evidence = |statistic, dof, p| Evidence::new(name, statistic, dof, p, reason);
     let evidence = match method {
         Method::Binomial => {
@@ -98,7 +100,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
             )
         }
         Method::Exact => {
-            let same = excess.abs() <= 1e-12 * claim.expected.abs();
+            let same = excess.abs() <= 0.0;
             evidence(excess, None, f64::from(u8::from(same)))
         }
         Method::StudentT => evidence(t, Some(n - 1.0), student_t_two_sided(n - 1.0, t)),
@@ -124,11 +126,13 @@ fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     sums.bias() + (sums.center - claim.expected)
 }
 
-/// The bias, brought towards 0 by the slack.
+/// The bias, brought towards 0 by the slack and by rounding.
 fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     let bias = bias(sums, claim);
-    let size = bias.abs() - claim.slack;
-    (if size < 0.0 { 0.0 } else { size }).copysign(bias)
+    lessened(
+        bias,
+        claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE,
+    )
 }
 
 /// The larger of the sample's and the formula's skewness: a sample that has not seen its tail looks too tame.
@@ -150,25 +154,38 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
     if claim.binary && sums.zeros + sums.ones == sums.n && sums.n > 0 {
         return Method::Binomial;
     }
-    let deterministic = claim
-        .variance
-        .is_some_and(|v| v <= 1e-24 * claim.expected * claim.expected);
-    let silent = claim.variance.is_none() && claim.range.is_none();
-    let still = spread(sums) <= 1e-12 * claim.expected.abs() && sums.least.abs() > 0.0;
-    if still || (sums.constant() && (deterministic || silent)) {
+    if exact(sums, claim) {
         return Method::Exact;
     }
-    match (gate(skewness(sums, claim), sums.n as f64), claim.range) {
-        _ if sums.constant() && claim.range.is_none() => Method::None,
-        ((true, _), _) if !sums.constant() => Method::StudentT,
-        ((_, true), _) if !sums.constant() => Method::SkewnessCorrected,
-        (_, Some((low, high))) if sums.least >= low && sums.greatest <= high => Method::EmpiricalBernstein,
+    let (plain, corrected) = gate(skewness(sums, claim), sums.n as f64);
+    match claim.range {
+        _ if plain && !sums.constant() => Method::StudentT,
+        _ if corrected && !sums.constant() => Method::SkewnessCorrected,
+        Some(range) if within(sums, range) => Method::EmpiricalBernstein,
         _ => Method::None,
     }
 }
 
-fn spread(sums: &PowerSums) -> f64 {
-    sums.greatest - sums.least
+/// What rounding may do to a mean, relative to it.
+const ROUNDING: f64 = 1e-12;
+
+/// Whether the draws have no noise, so that their value is compared with the truth: not if a formula says that they have, by a
+/// variance that is more than cancellation or a skewness, and not if all are 0 or all are 1, as of walks that have met
+/// nothing yet.
+fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
+    let scale = claim.expected.abs();
+    let skew = claim.skewness.is_some_and(|skewness| !skewness.is_nan());
+    let noisy = claim.variance.map_or(skew, |v| v > 1e-14 * scale * scale);
+    let met_nothing = sums.zeros == sums.n || sums.ones == sums.n;
+    let still = sums.greatest - sums.least <= ROUNDING * scale;
+    let telling = claim.variance.is_some() || !met_nothing || excess(sums, claim) == 0.0;
+    still && (scale == 0.0 || (!noisy && telling)) // where nothing is due there is no noise
+}
+
+/// Whether every draw lies in the range, but for rounding.
+fn within(sums: &PowerSums, (low, high): (f64, f64)) -> bool {
+    let rounding = ROUNDING * (high - low);
+    sums.least >= low - rounding && sums.greatest <= high + rounding
 }
 
 /// Two-sided p of Hall's transform g(U) = U + s U^2 / 3 + s^2 U^3 / 27 + s / (6 n), U = t / sqrt(n) (Hall 1992).
@@ -189,6 +206,9 @@ fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f64 {
         7.0 * (high - low) / (3.0 * (n - 1.0)),
         (2.0 * sums.variance() / n).sqrt(),
     );
+    if excess == 0.0 {
+        return 1.0; // else 0 / 0 without variance
+    }
     let root = 2.0 * excess.abs() / (b + (b * b + 4.0 * a * excess.abs()).sqrt());
     let p = 4.0 * libm::exp(-root * root);
     if p > 1.0 { 1.0 } else { p }
@@ -225,7 +245,7 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
             }
         }
         (Method::Exact, _) => {
-            let rounding = 1e-12 * claim.expected.abs() + claim.slack;
+            let rounding = ROUNDING * claim.expected.abs() + claim.slack;
             about(rounding, rounding)
         }
         (Method::EmpiricalBernstein, Some(range)) => {
@@ -233,8 +253,32 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
             about(half, half + power * error)
         }
         (Method::None, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY, f64::INFINITY),
-        (Method::StudentT | Method::SkewnessCorrected, _) => about(z * error, (z + power) * error),
+        (Method::StudentT, _) => about(z * error, (z + power) * error),
+        (Method::SkewnessCorrected, _) => {
+            corrected_limits(sums, z, bias, about(z * error, (z + power) * error))
+        }
     }
+}
+
+/// `symmetric` with the limits at which [`corrected_p`] reaches the normal score z.
+fn corrected_limits(sums: &PowerSums, z: f64, bias: f64, symmetric: Interval) -> Interval {
+    let (n, error) = (sums.n as f64, (sums.variance() / sums.n as f64).sqrt());
+    let t = |score| corrected_t(score, sums.skewness(), n);
+    Interval {
+        low: bias - t(z) * error,
+        high: bias - t(-z) * error,
+        ..symmetric
+    }
+}
+
+/// The t that [`corrected_p`] takes for a normal score: 1 + s U / 3 = cbrt(1 + s (score / sqrt(n) - s / (6 n))).
+fn corrected_t(score: f64, skewness: f64, n: f64) -> f64 {
+    let s = skewness;
+    if s == 0.0 {
+        return score;
+    }
+    let cube = 1.0 + s * (score / n.sqrt() - s / (6.0 * n));
+    3.0 * n.sqrt() * (libm::cbrt(cube) - 1.0) / s
 }
 
 impl Evidence {
@@ -243,6 +287,82 @@ impl Evidence {
             self.noted(note)
         } else {
             self
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CLAIM: MeanClaim = MeanClaim {
+        expected: 0.25,
+        slack: 0.0,
+        binary: false,
+        range: None,
+        variance: None,
+        skewness: None,
+    };
+
+    fn judged(draws: &[f64], claim: MeanClaim) -> (Evidence, Interval) {
+        let sums = PowerSums::of(claim.expected, draws);
+        mean("mean", &sums, &claim, Reason::Biased)
+    }
+
+    #[test]
+    fn constants_are_compared_with_the_truth() {
+        assert_eq!(judged(&[0.25; 100], CLAIM).0.p, Some(1.0));
+        assert_eq!(judged(&[0.25 * (1.0 + 1e-9); 100], CLAIM).0.p, Some(0.0));
+        assert!(!(judged(&[f64::NAN; 100], CLAIM).0.p > Some(0.0)));
+    }
+
+    #[test]
+    fn walks_that_met_nothing_say_nothing() {
+        let thin = MeanClaim {
+            expected: 1.0 - 1e-7,
+            ..CLAIM
+        };
+        let noisy = MeanClaim {
+            variance: Some(1e-7),
+            ..thin
+        };
+        let bounded = MeanClaim {
+            range: Some((0.0, 1.0)),
+            ..noisy
+        };
+        assert_eq!(judged(&[1.0; 10_000], thin).0.p, None);
+        assert_eq!(judged(&[0.0; 10_000], CLAIM).0.p, None);
+        assert_eq!(judged(&[1.0; 10_000], noisy).0.p, None);
+        assert_eq!(judged(&[1.0; 10_000], bounded).0.p, Some(1.0));
+        assert!(judged(&[0.0; 10_000], bounded).0.p < Some(1e-9));
+    }
+
+    #[test]
+    fn rounding_is_no_bias() {
+        let draws: Vec<f64> = (0..100_000)
+            .map(|i| 0.25 * (1.0 + 1e-15 + 1e-12 * f64::from(i % 3 - 1)))
+            .collect();
+        assert!(judged(&draws, CLAIM).0.p > Some(0.9));
+    }
+
+    #[test]
+    fn powers_that_underflow_are_not_taken_for_a_symmetric_law() {
+        let draws: Vec<f64> = (0..10_000)
+            .map(|i| if i == 7 { 1e-110 } else { 1e-130 })
+            .collect();
+        let tiny = MeanClaim {
+            expected: 1e-112,
+            ..CLAIM
+        };
+        assert_eq!(judged(&draws, tiny).0.p, None);
+    }
+
+    #[test]
+    fn the_corrected_interval_ends_where_the_corrected_test_rejects() {
+        let (n, s) = (16_384.0, 9.0);
+        for score in [-4.9, 4.9] {
+            let p = corrected_p(corrected_t(score, s, n), s, n);
+            assert!((p / normal_two_sided(score) - 1.0).abs() < 1e-9);
         }
     }
 }

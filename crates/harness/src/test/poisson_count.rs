@@ -1,4 +1,4 @@
-use super::chi_square::{LEAST_EXPECTED, residual};
+use super::chi_square::{least_expected, residual};
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::CountTally;
@@ -7,12 +7,12 @@ use crate::verdict::Reason;
 pub(super) const WORDS: &str = "The tentative collisions of a walk that never stops are Poisson with the integral of the rate as mean; \
 chi-square over the counts.";
 
-/// The Poisson law of the number of tentative collisions.
+/// The Poisson law of the number of tentative collisions, each probability known up to `slack`.
 #[must_use]
-pub fn poisson_count(tally: &CountTally, mean: f64) -> Evidence {
+pub fn poisson_count(tally: &CountTally, mean: f64, slack: f64) -> Evidence {
     let observed: Vec<u64> = (0..tally.rows()).map(|n| tally.count(n, 0)).collect();
     let expected = pmf(mean, tally.rows());
-    pooled("poisson_count", &observed, &expected, Reason::WrongCost)
+    pooled("poisson_count", &observed, &expected, slack, Reason::WrongCost)
 }
 
 /// Poisson probabilities of 0, 1, .. ; the last holds the whole tail.
@@ -32,13 +32,41 @@ pub(super) fn pmf(mean: f64, rows: usize) -> Vec<f64> {
     all
 }
 
-/// Pearson's chi-square over a table, neighbouring cells pooled until each expects 50.
-pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], reason: Reason) -> Evidence {
+/// Pearson's chi-square over a table, neighbouring cells pooled until each expects enough for so many; each |O - E| is
+/// lessened by n times the slack.
+pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], slack: f64, reason: Reason) -> Evidence {
     let n: u64 = observed.iter().sum();
+    if mass.iter().sum::<f64>().is_nan() {
+        return Evidence::new(name, f64::NAN, None, f64::NAN, reason);
+    }
+    let tables = [50.0, 100.0, 200.0, 400.0].map(|least| pool(observed, mass, n as f64, least));
+    let enough = |cells: &Vec<(u64, f64)>| {
+        let least = least_expected(cells.len());
+        cells.len() >= 2 && cells.iter().all(|cell| cell.1 >= least)
+    };
+    let Some(cells) = tables.into_iter().find(enough) else {
+        return Evidence::withheld(
+            name,
+            f64::NAN,
+            reason,
+            "fewer than two cells would expect 400 draws",
+        );
+    };
+    let statistic: f64 = cells
+        .iter()
+        .map(|&(o, e)| residual(o as f64, e, slack * n as f64))
+        .map(|r| r * r)
+        .sum();
+    let dof = (cells.len() - 1) as f64;
+    Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
+}
+
+/// (observed, expected) of neighbouring cells taken together until they expect `least`; what is left joins the last.
+fn pool(observed: &[u64], mass: &[f64], n: f64, least: f64) -> Vec<(u64, f64)> {
     let (mut cells, mut part) = (Vec::new(), (0, 0.0));
     for (&o, &p) in observed.iter().zip(mass) {
-        part = (part.0 + o, part.1 + p * n as f64);
-        if part.1 >= LEAST_EXPECTED {
+        part = (part.0 + o, part.1 + p * n);
+        if part.1 >= least {
             cells.push(part);
             part = (0, 0.0);
         }
@@ -46,21 +74,7 @@ pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], reason: Reason)
     if let Some(last) = cells.last_mut() {
         *last = (last.0 + part.0, last.1 + part.1);
     }
-    if cells.len() < 2 {
-        return Evidence::withheld(
-            name,
-            f64::NAN,
-            reason,
-            "fewer than two cells would expect 50 draws",
-        );
-    }
-    let statistic: f64 = cells
-        .iter()
-        .map(|&(o, e)| residual(o as f64, e, 0.0))
-        .map(|r| r * r)
-        .sum();
-    let dof = (cells.len() - 1) as f64;
-    Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
+    cells
 }
 
 #[cfg(test)]
@@ -84,7 +98,8 @@ mod tests {
             .flat_map(|(n, p)| vec![n as u32; (p * 1e5) as usize])
             .collect();
         tally.observe(&counts, &[]);
-        assert!(poisson_count(&tally, 2.0).p > Some(0.99));
-        assert!(poisson_count(&tally, 2.1).p < Some(1e-9));
+        assert!(poisson_count(&tally, 2.0, 0.0).p > Some(0.99));
+        assert!(poisson_count(&tally, 2.1, 0.0).p < Some(1e-9));
+        assert_eq!(poisson_count(&tally, f64::NAN, 0.0).p, Some(0.0));
     }
 }

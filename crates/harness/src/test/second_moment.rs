@@ -1,57 +1,81 @@
-use super::mean::{corrected_p, gate};
+use super::atom::standardised;
+use super::chi_square::lessened;
+use super::mean::gate;
 use crate::evidence::Evidence;
-use crate::special::normal_two_sided;
+use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use crate::verdict::Reason;
 
-pub(super) const WORDS: &str = "The mean of the squared estimates against its formula, with the standard error from the exact fourth moment: a \
-weight with the right mean and the wrong spread shows here.";
+pub(super) const WORDS: &str = "The mean of the squared estimates against its formula, with the standard error from the exact fourth moment and \
+the skewness from the sixth: a weight with the right mean and the wrong spread shows here.";
 
-/// E[X^2] against its formula; `moments` are E[X^k], k = 1 to 6.
+/// How good the formulas of the moments are, relative to them.
+const FORMULA: f64 = 1e-10;
+
+/// E[X^2] against its formula; `moments` are E[X^k], k = 1 to 6. Each draw may be off by `slack`.
 ///
 /// ```text
 /// z = (mean X^2 - m2) / sqrt((m4 - m2^2) / n)
 /// ```
 ///
-/// Withheld where X^2 is so skew (exact m6) that neither the normal law nor its skewness correction holds in the tail.
+/// Where X^2 varies by less than 3e-5, its variance is taken as of so much: what m4 and m6 leave of variance and skewness
+/// after cancellation cannot be trusted there. Withheld where X^2 is so
+/// skew (exact m6) that its tail is not known, or so small that its powers underflow.
 #[must_use]
-pub fn second_moment(sums: &PowerSums, moments: &[f64; 6]) -> Evidence {
+pub fn second_moment(sums: &PowerSums, moments: &[f64; 6], slack: f64) -> Evidence {
     let [_, m2, _, m4, _, m6] = *moments;
     let (n, c) = (sums.n as f64, sums.center);
     let mean_square = c * c + 2.0 * c * sums.sums[0] / n + sums.sums[1] / n;
-    let variance = m4 - m2 * m2;
-    let skewness = (m6 - 3.0 * m4 * m2 + 2.0 * m2 * m2 * m2) / (variance * variance.sqrt());
-    let z = (mean_square - m2) / (variance / n).sqrt();
-    if !(variance > 1e-12 * m4) {
-        let same = (mean_square - m2).abs() <= 1e-10 * m2;
-        return Evidence::new(
-            "second_moment",
-            mean_square - m2,
-            None,
-            f64::from(u8::from(same)),
-            Reason::WrongVariance,
+    let excess = lessened(
+        mean_square - m2,
+        FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack,
+    );
+    let (variance, lost) = (m4 - m2 * m2, 1e-9 * m4);
+    let known = !(variance <= lost);
+    let third = m6 - 3.0 * m4 * m2 + 2.0 * m2 * m2 * m2;
+    let skewness = if known {
+        third / (variance * variance.sqrt())
+    } else {
+        0.0
+    };
+    let z = standardised(excess, ((if known { variance } else { lost }) / n).sqrt());
+    let tiny = m2 > 0.0 && !(m4 > 1e-180);
+    if tiny || !gate(skewness, n).1 {
+        let why = format!(
+            "skewness {skewness:.3e} of the squares is too large for {n} draws, or they are too small"
         );
+        return Evidence::withheld("second_moment", z, Reason::WrongVariance, why);
     }
-    let (plain, corrected) = gate(skewness, n);
-    match () {
-        () if plain => Evidence::new(
-            "second_moment",
-            z,
-            None,
-            normal_two_sided(z),
-            Reason::WrongVariance,
-        ),
-        () if corrected => Evidence::new(
-            "second_moment",
-            z,
-            None,
-            corrected_p(z, skewness, n),
-            Reason::WrongVariance,
-        )
-        .noted("corrected for skewness"),
-        () => {
-            let why = format!("skewness {skewness:.3e} of the squares is too large for {n} draws");
-            Evidence::withheld("second_moment", z, Reason::WrongVariance, why)
+    let p = pearson_two_sided(skewness / n.sqrt(), z);
+    Evidence::new("second_moment", z, None, p, Reason::WrongVariance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Draws of 1 +- `spread`, as many above as below, and their moments.
+    fn p(spread: f64, off: f64, slack: f64) -> Option<f64> {
+        let moments = std::array::from_fn(|i| {
+            let power = |x: f64| libm::pow(x, (i + 1) as f64);
+            0.5 * (power(1.0 + spread) + power(1.0 - spread))
+        });
+        let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let draws: Vec<f64> = (0..10_000).map(|i| 1.0 + off + spread * sign(i)).collect();
+        second_moment(&PowerSums::of(1.0, &draws), &moments, slack).p
+    }
+
+    #[test]
+    fn a_small_noise_is_no_error() {
+        for spread in [0.0, 1e-9, 1e-8, 1e-7, 4e-7, 1e-6, 1e-3] {
+            assert!(p(spread, 0.0, 0.0) > Some(1e-3), "{spread}");
         }
+    }
+
+    #[test]
+    fn an_error_is_one_unless_declared() {
+        assert!(p(1e-3, 1e-4, 0.0) < Some(1e-9));
+        assert!(p(0.0, 1e-4, 0.0) < Some(1e-9));
+        assert!(p(1e-3, 1e-4, 1e-4) > Some(1e-3));
     }
 }

@@ -5,25 +5,28 @@ use crate::tally::TieTally;
 use crate::verdict::Reason;
 
 pub(super) const WORDS: &str = "Equal values among the draws: at the declared resolution almost none are expected, so repeated, quantised or \
-clamped draws stand out.";
+clamped draws stand out. Looked for in a share of all values, chosen by value, and in all of the first draws.";
 
 /// Ties among `collided` draws, with `pair` the probability that two draws are equal at the declared resolution.
 ///
 /// ```text
-/// pairs ~ Poisson(share m (m - 1) / 2 * pair),   one-sided
+/// pairs ~ Poisson(share m (m - 1) / 2 * pair),   one-sided;   p = 2 min(over a share of all draws, over the first draws)
 /// ```
+///
+/// The share finds repeats however far apart; the first draws find one value that comes back, which the share would miss
+/// unless it happened to hold that value.
 #[must_use]
 pub fn ties(tally: &TieTally, collided: u64, pair: f64) -> Evidence {
-    let m = collided as f64;
-    let mean = tally.share() * 0.5 * m * (m - 1.0) * pair;
-    let pairs = tally.pairs();
-    Evidence::new(
-        "ties",
-        pairs as f64,
-        None,
-        poisson_sf(mean, pairs),
-        Reason::Dependent,
-    )
+    let of = |pairs: u64, m: u64, share: f64| {
+        let m = m as f64;
+        (poisson_sf(share * 0.5 * m * (m - 1.0) * pair, pairs), pairs)
+    };
+    let all = of(tally.pairs(), collided, tally.share());
+    let (first, held) = tally.first_pairs();
+    let first = of(first, held, 1.0);
+    let (p, pairs) = if !(all.0 >= first.0) { all } else { first };
+    let p = if p > 0.5 { 1.0 } else { 2.0 * p };
+    Evidence::new("ties", pairs as f64, None, p, Reason::Dependent)
 }
 
 /// A bound on the probability that two collided draws are equal, for uniforms of `bits` bits: equal uniforms, or values
