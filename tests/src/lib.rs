@@ -1,8 +1,14 @@
 //! What the proofs share: the shipped cases, and a run of them.
 
 use freepath_harness::case::{CaseFile, Limits, Prepared};
+use freepath_harness::collect::{Stopped, Watch, collect};
+use freepath_harness::decide::{Decision, Stage, adjust, decide, suspect};
+use freepath_harness::judge::{Judged, judge};
+use freepath_harness::plan::Plan;
 use freepath_harness::results::Results;
 use freepath_harness::run::{Options, run};
+use freepath_harness::subject::Subject;
+use freepath_harness::verdict::Reason;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -48,7 +54,8 @@ pub fn load(path: &Path, limits: &Limits) -> Vec<Prepared> {
 #[must_use]
 pub fn parse(text: &str) -> Vec<Prepared> {
     let file = CaseFile::parse(Path::new("case.json"), text).unwrap_or_else(|error| panic!("{error}"));
-    file.prepare(&Limits::default()).unwrap_or_else(|error| panic!("{error}"))
+    file.prepare(&Limits::default())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The results of `cases` under `seed`.
@@ -58,13 +65,87 @@ pub fn parse(text: &str) -> Vec<Prepared> {
 #[must_use]
 pub fn results(cases: &[Prepared], seed: u64) -> Results {
     let cancelled = AtomicBool::new(false);
-    let options = Options { seed, cancelled: &cancelled, progress: &|_, _| (), repro: String::new() };
-    run(cases, &options).unwrap_or_else(|_| panic!("nobody cancels")).results
+    let options = Options {
+        seed,
+        cancelled: &cancelled,
+        progress: &|_, _| (),
+        repro: String::new(),
+    };
+    run(cases, &options)
+        .unwrap_or_else(|_| panic!("nobody cancels"))
+        .results
 }
 
 /// One line for each result that is not as expected.
 #[must_use]
 pub fn surprises(results: &Results) -> Vec<String> {
     let wrong = results.results.iter().filter(|result| !result.as_expected);
-    wrong.map(|r| format!("{}: {} {:?} where {} is expected: {:?}", r.id, r.verdict, r.reasons, r.expected, r.notes)).collect()
+    wrong
+        .map(|r| {
+            format!(
+                "{}: {} {:?} where {} is expected: {:?}",
+                r.id, r.verdict, r.reasons, r.expected, r.notes
+            )
+        })
+        .collect()
+}
+
+/// Both stages of one subject, decided alone.
+pub struct Judgement {
+    /// The decision.
+    pub decision: Decision,
+    /// Stage 1, and stage 2 if it was needed.
+    pub stages: Vec<Judged>,
+}
+
+impl Judgement {
+    /// The p-value of a test in stage 1: none if it was withheld or not made.
+    #[must_use]
+    pub fn p(&self, test: &str) -> Option<f64> {
+        self.stages[0]
+            .evidence
+            .iter()
+            .find(|evidence| evidence.name == test)?
+            .p
+    }
+}
+
+/// `subject` through both stages.
+///
+/// # Panics
+/// Never: nobody cancels.
+#[must_use]
+pub fn judgement(subject: &Subject, seed: u64) -> Judgement {
+    let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
+    let watch = Watch {
+        cancelled: &never,
+        progress: &|_| (),
+    };
+    let stage = |blocks| match collect(subject, &plan, seed, blocks, &watch) {
+        Ok(seen) => judge(subject, &plan, &seen),
+        Err(Stopped::Subject(why)) => Judged {
+            facts: vec![(Reason::SubjectError, why)],
+            ..Judged::default()
+        },
+        Err(Stopped::Cancelled) => panic!("nobody cancels"),
+    };
+    let blocks = Subject::blocks(subject.draws);
+    let mut stages = vec![stage(0..blocks)];
+    if suspect(&stages[0]) {
+        stages.push(stage(blocks..3 * blocks));
+    }
+    let adjusted: Vec<_> = stages
+        .iter()
+        .map(|judged| adjust([Some(judged)].into_iter()).0.remove(0))
+        .collect();
+    let of = |i: usize| {
+        stages.get(i).map(|judged| Stage {
+            judged,
+            adjusted: &adjusted[i],
+        })
+    };
+    let decision = of(0)
+        .map(|first| decide(first, of(1)))
+        .unwrap_or_else(|| panic!("there is a first stage"));
+    Judgement { decision, stages }
 }

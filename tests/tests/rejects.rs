@@ -1,0 +1,582 @@
+//! Every test rejects something: for each name a small mutant that it must catch, through the public interface; and facts fail
+//! without any p-value.
+
+use freepath_estimators::chromatic::AnyChromatic;
+use freepath_estimators::claims::{Channel, ChromaticClaims, FreePathClaims, TransmittanceClaims};
+use freepath_estimators::medium::{BoxSpike, Chromatic, Constant};
+use freepath_estimators::random::{exponential, uniform};
+use freepath_estimators::transmittance::RatioTracking;
+use freepath_estimators::{
+    ChromaticSampler, Draws, Extinction, FreePath, FreePathSampler, Medium, Streams, TransmittanceEstimator,
+};
+use freepath_harness::subject::{BLOCK, Scene, Subject, Work};
+use freepath_harness::test::NAMES;
+use freepath_harness::verdict::{Reason, Verdict};
+use freepath_tests::{Judgement, judgement};
+use rand::Rng;
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const MU: f64 = 1.3;
+const LENGTH: f64 = 2.1;
+
+fn medium() -> Constant {
+    Constant::new(MU, LENGTH).expect("a medium")
+}
+
+fn escape() -> f64 {
+    libm::exp(-MU * LENGTH)
+}
+
+fn path(t: f64) -> FreePath {
+    FreePath::at(if t < LENGTH { t } else { f64::INFINITY })
+}
+
+/// A distance by inversion: the right law.
+fn right(rng: &mut dyn Rng) -> f64 {
+    exponential(rng) / MU
+}
+
+/// A distance of a draw that collides.
+fn collided(rng: &mut dyn Rng) -> f64 {
+    -libm::log1p(-(1.0 - escape()) * uniform(rng)) / MU
+}
+
+type Draw = fn(&dyn Extinction, &mut dyn Rng) -> FreePath;
+
+/// A sampler of one function, and what it claims.
+struct Sampler {
+    draw: Draw,
+    claims: for<'a> fn(&'a dyn Medium) -> FreePathClaims<'a>,
+}
+
+impl FreePathSampler for Sampler {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        (self.draw)(medium, rng)
+    }
+    fn claims<'a>(&'a self, truth: &'a dyn Medium) -> FreePathClaims<'a> {
+        (self.claims)(truth)
+    }
+}
+
+fn sampler(draw: Draw) -> Sampler {
+    Sampler {
+        draw,
+        claims: |_| FreePathClaims::default(),
+    }
+}
+
+fn of_path(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
+    let truth = medium();
+    let scene = Scene::Grey {
+        truth: &truth,
+        seen: &truth,
+    };
+    judgement(
+        &Subject {
+            draws,
+            ..Subject::new(Work::FreePath(sampler), scene)
+        },
+        5,
+    )
+}
+
+/// Ratio tracking, what it gives changed, and its claims.
+struct Estimator {
+    /// Look-ups for each tentative collision.
+    lookups: u32,
+    /// From the walk and one more uniform.
+    change: fn(FreePath, f64) -> FreePath,
+    claims: fn(&dyn Medium) -> TransmittanceClaims,
+}
+
+impl TransmittanceEstimator for Estimator {
+    fn estimate(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> f64 {
+        (self.change)(ratio(medium, rng, self.lookups), uniform(rng)).weight
+    }
+    fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let mut rng = streams.rng();
+        for row in 0..out.rows {
+            let path = (self.change)(ratio(medium, &mut rng, self.lookups), uniform(&mut rng));
+            out.put(row, path.t, path.weight, path.collisions);
+        }
+    }
+    fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
+        (self.claims)(truth)
+    }
+}
+
+fn changed(change: fn(FreePath, f64) -> FreePath) -> Estimator {
+    Estimator {
+        lookups: 1,
+        change,
+        claims: of_ratio,
+    }
+}
+
+fn weighing(path: FreePath, factor: f64) -> FreePath {
+    FreePath {
+        weight: factor * path.weight,
+        ..path
+    }
+}
+
+/// Ratio tracking under twice the medium's extinction, every tentative collision looked up `lookups` times.
+fn ratio(medium: &dyn Extinction, rng: &mut dyn Rng, lookups: u32) -> FreePath {
+    let rate = medium.majorants().mu_bar_at(0.0);
+    let (mut t, mut weight, mut collisions) = (0.0, 1.0, 0);
+    loop {
+        t += exponential(rng) / rate;
+        if !(t < medium.length()) {
+            return FreePath {
+                t: f64::INFINITY,
+                weight,
+                collisions,
+            };
+        }
+        let mu = (0..lookups).map(|_| medium.mu(t)).last().unwrap_or(f64::NAN);
+        (weight, collisions) = (weight * (1.0 - mu / rate), collisions + 1);
+    }
+}
+
+fn of_ratio(truth: &dyn Medium) -> TransmittanceClaims {
+    RatioTracking {}.claims(truth)
+}
+
+fn of_estimate(estimator: &Estimator, draws: u64) -> Judgement {
+    let inner = medium();
+    let majorants = freepath_estimators::Majorants::constant(2.0 * MU, LENGTH).measured(&inner);
+    let truth = freepath_estimators::Under::new(std::sync::Arc::new(inner), majorants);
+    let scene = Scene::Grey {
+        truth: &truth,
+        seen: &truth,
+    };
+    judgement(
+        &Subject {
+            draws,
+            ..Subject::new(Work::Transmittance(estimator), scene)
+        },
+        5,
+    )
+}
+
+/// The balance heuristic, its weights changed.
+struct Weights {
+    inner: AnyChromatic,
+    change: fn(f64, f64) -> f64,
+    pdf: f64,
+}
+
+impl ChromaticSampler for Weights {
+    fn sample(&self, channels: &[Channel], rng: &mut dyn Rng, weights: &mut [f64]) -> f64 {
+        let t = self.inner.sample(channels, rng, weights);
+        let u = uniform(rng);
+        weights
+            .iter_mut()
+            .for_each(|weight| *weight *= (self.change)(t, u));
+        t
+    }
+    fn pdf(&self, channels: &[Channel], t: f64) -> Option<f64> {
+        self.inner.pdf(channels, t).map(|pdf| pdf * self.pdf)
+    }
+    fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
+        self.inner.claims(channels)
+    }
+}
+
+fn of_weights(change: fn(f64, f64) -> f64, pdf: f64) -> Judgement {
+    let channels = Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], LENGTH).expect("channels");
+    let inner = serde_json::from_str(r#"{ "balance": {} }"#).expect("a sampler");
+    let sampler = Weights { inner, change, pdf };
+    let subject = Subject::new(Work::Chromatic(&sampler), Scene::Chromatic(channels.medium()));
+    judgement(
+        &Subject {
+            draws: 400_000,
+            ..subject
+        },
+        5,
+    )
+}
+
+/// Which eighth of the ray.
+fn bin(t: f64) -> usize {
+    (8.0 * t / LENGTH) as usize
+}
+
+/// The mutant fails for `reason`, and by `test` alone it would.
+fn caught(test: &str, reason: Reason, judgement: &Judgement) -> Option<String> {
+    let rejected = judgement.stages.iter().all(|stage| {
+        let mut named = stage.evidence.iter().filter(|evidence| evidence.name == test);
+        named.any(|evidence| evidence.reason == reason && evidence.p.is_some_and(|p| !(p > 1e-7)))
+    });
+    let failed = judgement.decision.verdict == Verdict::Fail && judgement.decision.reasons.contains(&reason);
+    let both = judgement.stages.len() == 2;
+    (!(rejected && failed && both))
+        .then(|| format!("{test}: {:?}, p = {:?}", judgement.decision, judgement.p(test)))
+}
+
+fn laws() -> Vec<(&'static str, Reason, Judgement)> {
+    let few = 200_000;
+    let law = |draw: Draw| of_path(&sampler(draw), few);
+    let atom = law(|_, rng| {
+        FreePath::at(if uniform(rng) < 0.9 * escape() {
+            f64::INFINITY
+        } else {
+            collided(rng)
+        })
+    });
+    let lobe = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.4..0.5).contains(&t) && uniform(rng) < 0.2 {
+            t + 0.3
+        } else {
+            t
+        })
+    });
+    let narrow = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.40..0.41).contains(&t) && uniform(rng) < 0.5 {
+            t + 0.02
+        } else {
+            t
+        })
+    });
+    let needle = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
+    });
+    let thin = law(|_, rng| path(right(rng) / 0.97));
+    let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
+    vec![
+        ("atom", Reason::WrongLaw, atom),
+        ("chi_square_16", Reason::WrongLaw, lobe),
+        ("chi_square_64", Reason::WrongLaw, narrow),
+        ("chi_square_fine", Reason::WrongLaw, needle),
+        ("kolmogorov", Reason::WrongLaw, thin),
+        ("ties", Reason::Dependent, repeated),
+    ]
+}
+
+/// Two draws from each uniform: u and 1 - u.
+struct Antithetic;
+
+impl FreePathSampler for Antithetic {
+    fn sample(&self, _medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        path(right(rng))
+    }
+    fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let (mut rng, mut u) = (streams.rng(), 0.0);
+        for row in 0..out.rows {
+            u = if row.is_multiple_of(2) {
+                uniform(&mut rng)
+            } else {
+                1.0 - u
+            };
+            let path = path(-libm::log1p(-u) / MU);
+            out.put(row, path.t, 1.0, 0);
+        }
+    }
+}
+
+fn walks() -> Vec<(&'static str, Reason, Judgement)> {
+    let twice = Sampler {
+        draw: |_, rng| FreePath {
+            collisions: 2,
+            ..path(right(rng))
+        },
+        claims: |_| FreePathClaims {
+            coleman: true,
+            ..FreePathClaims::default()
+        },
+    };
+    let looks = Sampler {
+        draw: |medium, rng| {
+            let t = right(rng);
+            for _ in 0..2 * u32::from(t < LENGTH) {
+                medium.mu(t);
+            }
+            path(t)
+        },
+        claims: |_| FreePathClaims {
+            lookups: Some(1.0 - escape()),
+            ..FreePathClaims::default()
+        },
+    };
+    vec![
+        ("lag_1", Reason::Dependent, of_path(&Antithetic, 200_000)),
+        ("coleman", Reason::WrongLaw, of_path(&twice, 200_000)),
+        ("lookups", Reason::WrongCost, of_path(&looks, 400_000)),
+    ]
+}
+
+fn estimates() -> Vec<(&'static str, Reason, Judgement)> {
+    let more = |path: FreePath, u: f64| FreePath {
+        collisions: path.collisions + u32::from(u < 0.05),
+        ..path
+    };
+    let doubled = Estimator {
+        lookups: 2,
+        ..changed(|path, _| path)
+    };
+    let of = |change, draws| of_estimate(&changed(change), draws);
+    let bias = of(|path, _| weighing(path, 1.03), 400_000);
+    let spread = of(|path, u| weighing(path, if u < 0.5 { 1.5 } else { 0.5 }), 400_000);
+    vec![
+        ("lookups", Reason::WrongCost, of_estimate(&doubled, 400_000)),
+        ("poisson_count", Reason::WrongCost, of(more, 200_000)),
+        ("mean", Reason::Biased, bias),
+        ("second_moment", Reason::WrongVariance, spread),
+    ]
+}
+
+/// 0 or 2.
+fn coin(u: f64) -> f64 {
+    if u < 0.5 { 2.0 } else { 0.0 }
+}
+
+fn chromatic() -> Vec<(&'static str, Reason, Judgement)> {
+    let scatter = of_weights(|t, _| if t.is_finite() { 1.05 } else { 1.0 }, 1.0);
+    let surface = of_weights(|t, _| if t.is_finite() { 1.0 } else { 0.9 }, 1.0);
+    let exchange = of_weights(|t, _| if bin(t) == 3 { 1.1 } else { 1.0 }, 1.0);
+    let noise = of_weights(|t, u| if t.is_finite() { coin(u) } else { 1.0 }, 1.0);
+    let noisy_end = of_weights(|t, u| if t.is_finite() { 1.0 } else { coin(u) }, 1.0);
+    let density = of_weights(|_, _| 1.0, 1.0 + 1e-6);
+    vec![
+        ("pdf_integral", Reason::WrongLaw, density),
+        ("scatter_0", Reason::Biased, scatter),
+        ("surface_1", Reason::Biased, surface),
+        ("scatter_2_bin_3", Reason::Biased, exchange),
+        ("second_moment_scatter_0", Reason::WrongVariance, noise),
+        ("second_moment_surface_0", Reason::WrongVariance, noisy_end),
+    ]
+}
+
+/// Claims to be off by design, and is off otherwise.
+fn by_design() -> Vec<(&'static str, Reason, Judgement)> {
+    let other = Sampler {
+        draw: |_, rng| path(right(rng) / 1.05),
+        claims: |_| FreePathClaims {
+            own_law: Some(Box::new(|t| libm::exp(-1.1 * MU * t))),
+            ..FreePathClaims::default()
+        },
+    };
+    let mean = Estimator {
+        claims: |truth| TransmittanceClaims {
+            own_mean: Some(1.05 * escape()),
+            ..of_ratio(truth)
+        },
+        ..changed(|path, _| path)
+    };
+    let names = [
+        "own_atom",
+        "own_chi_square_16",
+        "own_chi_square_64",
+        "own_kolmogorov",
+    ];
+    let law = names.map(|name| (name, Reason::WrongLaw, of_path(&other, 400_000)));
+    law.into_iter()
+        .chain([("own_mean", Reason::WrongLaw, of_estimate(&mean, 400_000))])
+        .collect()
+}
+
+#[test]
+fn every_test_rejects_a_mutant() {
+    let all: Vec<_> = [laws(), walks(), estimates(), chromatic(), by_design()]
+        .into_iter()
+        .flatten()
+        .collect();
+    let missed: Vec<_> = all
+        .iter()
+        .filter_map(|(test, reason, judgement)| caught(test, *reason, judgement))
+        .collect();
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+    let shown: BTreeSet<_> = all.iter().map(|(test, ..)| *test).collect();
+    let facts = ["bound"]; // below
+    let unshown: Vec<_> = NAMES
+        .iter()
+        .map(|(name, _)| *name)
+        .filter(|name| !shown.contains(name) && !facts.contains(name))
+        .collect();
+    assert!(unshown.is_empty(), "no mutant for {unshown:?}");
+}
+
+#[test]
+fn the_right_ones_pass() {
+    let exact = of_path(&sampler(|_, rng| path(right(rng))), 400_000);
+    let estimate = of_estimate(&changed(|path, _| path), 400_000);
+    let weights = of_weights(|_, _| 1.0, 1.0);
+    for judgement in [exact, estimate, weights] {
+        assert_eq!(
+            judgement.decision.verdict,
+            Verdict::Pass,
+            "{:?}",
+            judgement.decision
+        );
+    }
+}
+
+fn fails(reason: Reason, judgement: &Judgement) {
+    let Judgement { decision, stages } = judgement;
+    assert!(
+        decision.verdict == Verdict::Fail && decision.reasons.contains(&reason),
+        "{reason}: {decision:?} after {} stages",
+        stages.len()
+    );
+}
+
+#[test]
+fn facts_fail_at_once() {
+    let outside = of_path(
+        &sampler(|medium, rng| {
+            medium.mu(LENGTH * 1.01);
+            path(right(rng))
+        }),
+        1,
+    );
+    fails(Reason::OutOfSupport, &outside);
+    fails(
+        Reason::OutOfSupport,
+        &of_path(&sampler(|_, rng| FreePath::at(right(rng))), 1),
+    );
+    fails(
+        Reason::NonFinite,
+        &of_path(
+            &sampler(|_, rng| {
+                if uniform(rng) < 1e-3 {
+                    FreePath::at(f64::NAN)
+                } else {
+                    path(right(rng))
+                }
+            }),
+            1,
+        ),
+    );
+    fails(
+        Reason::SubjectError,
+        &of_path(&sampler(|_, _| panic!("a planted panic")), 1),
+    );
+    fails(
+        Reason::NonFinite,
+        &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0),
+    );
+}
+
+#[test]
+fn one_look_up_above_the_majorant_fails() {
+    let truth = medium();
+    let short = freepath_estimators::Majorants::constant(0.999 * MU, LENGTH);
+    let seen = freepath_estimators::Under::new(std::sync::Arc::new(medium()), short);
+    let clamped = sampler(|medium, rng| {
+        medium.mu(0.5);
+        path(right(rng))
+    });
+    let scene = Scene::Grey {
+        truth: &truth,
+        seen: &seen,
+    };
+    fails(
+        Reason::BoundViolated,
+        &judgement(
+            &Subject {
+                draws: 1,
+                ..Subject::new(Work::FreePath(&clamped), scene)
+            },
+            5,
+        ),
+    );
+}
+
+/// A hit where mu is 0 has no probability at all, however few they are.
+#[test]
+fn a_collision_in_vacuum_fails() {
+    let truth = BoxSpike::new(0.0, 2.0, 0.7, 1.1, 2.3).expect("a medium");
+    let stray = sampler(|_, rng| {
+        let t = 0.7 + exponential(rng) / 2.0;
+        FreePath::at(if uniform(rng) < 1e-4 {
+            0.3 * uniform(rng)
+        } else if t < 1.1 {
+            t
+        } else {
+            f64::INFINITY
+        })
+    });
+    let scene = Scene::Grey {
+        truth: &truth,
+        seen: &truth,
+    };
+    fails(
+        Reason::OutOfSupport,
+        &judgement(
+            &Subject {
+                draws: 200_000,
+                ..Subject::new(Work::FreePath(&stray), scene)
+            },
+            5,
+        ),
+    );
+}
+
+/// Writes its blocks badly from the second on.
+struct Forgetful {
+    blocks: AtomicUsize,
+    spoil: fn(&mut Draws),
+}
+
+impl FreePathSampler for Forgetful {
+    fn sample(&self, _medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        path(right(rng))
+    }
+    fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let (mut rng, spoilt) = (streams.rng(), self.blocks.fetch_add(1, Ordering::Relaxed) > 20);
+        for row in 0..out.rows {
+            let path = path(right(&mut rng));
+            if !(spoilt && row == 100) {
+                out.put(row, path.t, 1.0, 0);
+            }
+        }
+        if spoilt {
+            (self.spoil)(out);
+        }
+    }
+}
+
+#[test]
+fn a_row_that_is_not_written_or_not_there_fails() {
+    let of = |spoil| {
+        of_path(
+            &Forgetful {
+                blocks: AtomicUsize::new(0),
+                spoil,
+            },
+            40 * BLOCK as u64,
+        )
+    };
+    fails(Reason::NonFinite, &of(|_| ()));
+    fails(Reason::SubjectError, &of(|out| out.t.retain(|t| !t.is_nan())));
+}
+
+/// Wrong enough for a second stage, and broken there.
+struct BreaksLater {
+    draws: AtomicUsize,
+}
+
+impl FreePathSampler for BreaksLater {
+    fn sample(&self, _medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        let drawn = self.draws.fetch_add(1, Ordering::Relaxed);
+        assert!(drawn < 10 * BLOCK, "a planted panic in stage 2");
+        path(right(rng) / 1.02)
+    }
+}
+
+#[test]
+fn a_panic_in_the_second_stage_fails() {
+    fails(
+        Reason::SubjectError,
+        &of_path(
+            &BreaksLater {
+                draws: AtomicUsize::new(0),
+            },
+            10 * BLOCK as u64,
+        ),
+    );
+}
