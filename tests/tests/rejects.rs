@@ -12,7 +12,7 @@ use freepath_estimators::{
 use freepath_harness::subject::{BLOCK, Scene, Subject, Work};
 use freepath_harness::test::NAMES;
 use freepath_harness::verdict::{Reason, Verdict};
-use freepath_tests::{Judgement, judgement};
+use freepath_tests::{Judgement, judgement, parse, results};
 use rand::Rng;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -578,5 +578,26 @@ fn a_panic_in_the_second_stage_fails() {
             },
             10 * BLOCK as u64,
         ),
+    );
+}
+
+/// The only NaN of all comes after stage 1, while draws grow towards a bound.
+#[test]
+fn a_nan_among_the_draws_of_growth_fails() {
+    let first = BLOCK as u64 * (1 << 40);
+    let text = format!(
+        r#"{{ "title": "growth", "draws": 16384, "bias_bound": {{ "absolute": 2e-3 }},
+          "medium": {{ "constant": {{ "mu": 1.3, "length": 2.1 }} }},
+          "subjects": [ {{ "transmittance": {{ "ratio_tracking": {{}} }},
+            "fault": {{ "nan_draw": {{ "walk": {}, "of": {} }} }} }} ] }}"#,
+        first + 5,
+        u64::MAX
+    );
+    let results = results(&parse(&text), 1);
+    assert_eq!(
+        results.results[0].verdict,
+        Verdict::Fail,
+        "{:?}",
+        results.results[0].notes
     );
 }
