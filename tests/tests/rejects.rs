@@ -391,6 +391,23 @@ fn a_collision_in_vacuum_fails() {
     );
 }
 
+/// The law is of unweighted draws: a weight that nobody asked for is a fact against it.
+#[test]
+fn a_weighted_free_path_fails() {
+    for weight in [0.5, f64::NAN] {
+        let truth = medium();
+        let weighted = |_: &dyn Extinction, rng: &mut dyn Rng| FreePath { weight, ..path(right(rng)) };
+        struct Weighted<F>(F);
+        impl<F: Fn(&dyn Extinction, &mut dyn Rng) -> FreePath + Send + Sync> FreePathSampler for Weighted<F> {
+            fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+                (self.0)(medium, rng)
+            }
+        }
+        let (subject, scene) = (Weighted(weighted), Scene::Grey { truth: &truth, seen: &truth });
+        fails(Reason::WrongLaw, &judgement(&Subject::new(Work::FreePath(&subject), scene), 5));
+    }
+}
+
 /// Writes its blocks badly from the second on.
 struct Forgetful {
     blocks: AtomicUsize,

@@ -16,6 +16,7 @@ pub enum Cells {
     /// mu is a cubic in each cell, as trilinear interpolation gives along a ray.
     Cubic,
     /// Nothing is promised.
+    #[schemars(skip)]
     Curved,
 }
 

@@ -29,6 +29,8 @@ pub struct Counts {
     pub lag: LagTally,
     /// Equal draws.
     pub ties: TieTally,
+    /// Free paths whose weight is not 1.
+    pub weighted: u64,
     /// Look-ups by block.
     pub lookups: BlockLookups,
     /// Look-ups, all told.
@@ -109,6 +111,8 @@ impl Worker {
             if law.pair.is_some() {
                 counts.ties.observe(&draws.t, first);
             }
+            let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
+            counts.weighted += weighted.count() as u64;
         }
         if let Some(collisions) = &mut counts.collisions {
             collisions.observe(&draws.collisions, index);
@@ -153,6 +157,7 @@ impl Counts {
         }
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
+        self.weighted += other.weighted;
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
     }

@@ -90,6 +90,7 @@ impl Judged {
     fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
         self.fact(cells.non_finite, Reason::NonFinite, "draws are NaN");
         self.fact(cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
+        self.fact(seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
         self.follows("", &plan.truth, cells, plan.reason);
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);

@@ -25,7 +25,7 @@ pub struct BlockRecord {
 pub fn columns(subject: &Subject, rows: usize) -> Draws {
     let draws = Draws::new(rows);
     match (subject.work, subject.scene) {
-        (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_collisions(),
+        (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_weight().with_collisions(),
         (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
         (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.media().len()),
         (Work::Chromatic(_), Scene::Grey { .. }) => draws,
@@ -134,8 +134,11 @@ fn from_truth(work: Work, truth: &dyn Medium, streams: &Streams, draws: &mut Dra
     let transmittance = libm::exp(-truth.tau(truth.length()));
     let mut rng = streams.rng();
     for row in 0..draws.rows {
-        let t = if let Work::Exact = work { truth.inverse_tau(exponential(&mut rng)) } else { f64::INFINITY };
-        draws.put(row, t, transmittance, 0);
+        let (t, weight) = match work {
+            Work::Exact => (truth.inverse_tau(exponential(&mut rng)), 1.0),
+            _ => (f64::INFINITY, transmittance),
+        };
+        draws.put(row, t, weight, 0);
     }
 }
 

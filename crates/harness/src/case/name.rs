@@ -42,7 +42,7 @@ fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
     match json {
         Value::Array(items) => items.iter().for_each(|item| collect_words(item, inside, words)),
         Value::Object(fields) => fields.iter().for_each(|(_, field)| collect_words(field, true, words)),
-        Value::String(word) if inside && word != "restart" => words.push(word.replace('_', "-")),
+        Value::String(word) if inside && word != "restart" => words.push(word.clone()),
         Value::Number(number) if inside => words.push(number.to_string()),
         _ => {}
     }
