@@ -125,7 +125,7 @@ impl Law {
         self.survival[from] - self.survival[to]
     }
 
-    /// At most `wanted` groups of nearly equal probability, none less than [`LEAST_SHARE`] of an equal share; fewer where
+    /// At most `wanted` groups of nearly equal probability, none less than 0.9 of an equal share; fewer where
     /// one cell holds the share of several.
     #[must_use]
     pub fn groups(&self, wanted: usize) -> Groups {
