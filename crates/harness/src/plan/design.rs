@@ -1,6 +1,7 @@
 use super::{LawPlan, MeanPlan};
 use crate::evidence::REPORTING_LEVEL;
 use crate::special::normal_quantile;
+use crate::test::larger;
 
 /// What a run should find of a method that is biased by design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,9 +53,9 @@ impl Design {
         let noncentrality: f64 =
             groups.bounds.windows(2).zip(&groups.mass).map(|(w, p)| n * shift(w) * shift(w) / p).sum();
         // 16 degrees of freedom need about 30 more than one does for the same power
-        let equivalent = ((noncentrality - 30.0) / if noncentrality > 30.0 { 1.0 } else { f64::NAN }).sqrt();
+        let equivalent = if noncentrality <= 30.0 { 0.0 } else { (noncentrality - 30.0).sqrt() };
         let distance = plan.design_distance() * n.sqrt();
-        let strongest = [z, equivalent, 2.0 * distance].into_iter().fold(0.0, |a, b| if b > a { b } else { a });
+        let strongest = [z, equivalent, 2.0 * distance].into_iter().fold(0.0, larger); // NaN stays, and is unsure
         if noncentrality > 0.5 && strongest < 0.5 { Self::Unsure } else { Self::of_deviate(strongest) }
     }
 }
