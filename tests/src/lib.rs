@@ -8,7 +8,6 @@ use freepath_harness::plan::Plan;
 use freepath_harness::results::Results;
 use freepath_harness::run::{Options, run};
 use freepath_harness::subject::Subject;
-use freepath_harness::verdict::Reason;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -105,7 +104,7 @@ pub fn judgement(subject: &Subject, seed: u64) -> Judgement {
     let watch = Watch { cancelled: &never, progress: &|_| () };
     let stage = |blocks| match collect(subject, &plan, seed, blocks, &watch) {
         Ok(seen) => judge(subject, &plan, &seen),
-        Err(Stopped::Subject(why)) => Judged { facts: vec![(Reason::SubjectError, why)], ..Judged::default() },
+        Err(Stopped::Subject(why)) => Judged::broken(why),
         Err(Stopped::Cancelled) => panic!("nobody cancels"),
     };
     let blocks = Subject::blocks(subject.draws);

@@ -5,7 +5,7 @@ use crate::decide::{Decision, Stage, adjust, decide, suspect};
 use crate::judge::{Judged, judge};
 use crate::plan::Plan;
 use crate::subject::{Route, Scene, Subject, Work};
-use crate::verdict::{Reason, Verdict};
+use crate::verdict::Verdict;
 use freepath_estimators::medium::Chromatic;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 use std::fmt::Write;
@@ -138,7 +138,7 @@ impl Trial {
 fn judged(subject: &Subject, plan: &Plan, collected: Result<Collected, Stopped>) -> Judged {
     match collected {
         Ok(collected) => judge(subject, plan, &collected),
-        Err(Stopped::Subject(why)) => Judged { facts: vec![(Reason::SubjectError, why)], ..Judged::default() },
+        Err(Stopped::Subject(why)) => Judged::broken(why),
         Err(Stopped::Cancelled) => Judged::default(),
     }
 }

@@ -18,9 +18,9 @@ pub struct Adjusted(pub Vec<Vec<Option<f64>>>);
 #[must_use]
 pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> Adjusted {
     let evidence = |judged: Option<&'a Judged>| judged.map_or(&[][..], |judged| &judged.evidence);
-    let all: Vec<f64> = judged.clone().flat_map(evidence).filter_map(|evidence| evidence.p).collect();
+    let all: Vec<f64> = judged.clone().flat_map(evidence).filter_map(Evidence::judged_p).collect();
     let mut adjusted = holm(&all).into_iter();
-    let of = |judged| evidence(judged).iter().map(|e| e.p.and_then(|_| adjusted.next())).collect();
+    let of = |judged| evidence(judged).iter().map(|e| e.judged_p().and_then(|_| adjusted.next())).collect();
     Adjusted(judged.map(of).collect())
 }
 
@@ -33,7 +33,7 @@ pub fn rejects(adjusted: Option<f64>) -> bool {
 /// Whether stage 1 gives cause for stage 2: any raw p at or below the stage's error.
 #[must_use]
 pub fn suspect(judged: &Judged) -> bool {
-    judged.evidence.iter().any(|evidence| rejects(evidence.p))
+    judged.evidence.iter().any(|evidence| rejects(evidence.judged_p()))
 }
 
 /// A verdict with its reasons and a sentence for each.
@@ -83,7 +83,8 @@ fn sentence(evidence: &Evidence, adjusted: f64) -> String {
 pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
     let (one, two) = (first.rejections(), second.map(|stage| stage.rejections()).unwrap_or_default());
     let facts = [Some(first), second].into_iter().flatten();
-    let mut found: Vec<(Reason, String)> = facts.flat_map(|stage| stage.judged.facts.clone()).collect();
+    let mut found: Vec<(Reason, String)> =
+        facts.flat_map(|stage| &stage.judged.facts).map(|fact| (fact.reason, fact.words.clone())).collect();
     if !one.is_empty() && !two.is_empty() {
         found.extend(two);
     } else if !one.is_empty() || !two.is_empty() {
@@ -92,7 +93,7 @@ pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
     }
     if found.is_empty() {
         let mut gates = first.judged.gates.clone();
-        if first.judged.evidence.iter().all(|evidence| evidence.p.is_none()) {
+        if first.judged.evidence.iter().all(|evidence| evidence.judged_p().is_none()) {
             gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
         }
         return open(gates, found);
@@ -118,6 +119,7 @@ fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evidence::Fact;
 
     fn judged(p: &[f64]) -> Judged {
         let evidence = p.iter().map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased)).collect();
@@ -140,6 +142,14 @@ mod tests {
     }
 
     #[test]
+    fn a_reported_p_value_decides_nothing() {
+        let mut one = judged(&[0.5]);
+        one.evidence.push(Evidence::new("kuiper", 9.0, None, 1e-30, Reason::WrongLaw).reported());
+        let adjusted = adjust([Some(&one)].into_iter());
+        assert!(!suspect(&one) && adjusted.0[0] == [Some(0.5), None]);
+    }
+
+    #[test]
     fn nan_is_suspect_and_rejects() {
         assert!(suspect(&judged(&[f64::NAN])));
         assert_eq!(verdict(&[f64::NAN], Some(&[f64::NAN])), Verdict::Fail);
@@ -147,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_fact_fails_without_p_values() {
-        let fact = Judged { facts: vec![(Reason::BoundViolated, "1".into())], ..judged(&[0.5]) };
+        let fact = Judged { facts: vec![Fact::new("audit", Reason::BoundViolated, "1")], ..judged(&[0.5]) };
         let adjusted = adjust([Some(&fact)].into_iter());
         let decision = decide(Stage { judged: &fact, adjusted: &adjusted.0[0] }, None);
         assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::BoundViolated]));
@@ -155,7 +165,8 @@ mod tests {
 
     #[test]
     fn a_fact_of_the_second_stage_fails() {
-        let broken = Judged { facts: vec![(Reason::SubjectError, "it panicked".into())], ..Judged::default() };
+        let broken =
+            Judged { facts: vec![Fact::new("subject", Reason::SubjectError, "it panicked")], ..Judged::default() };
         for p in [7e-4, 1e-9] {
             let one = judged(&[p]);
             let adjusted = adjust([Some(&one)].into_iter());

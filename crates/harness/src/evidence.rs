@@ -19,6 +19,8 @@ pub struct Evidence {
     pub dof: Option<f64>,
     /// Probability of a statistic as extreme under the claim; none if a gate keeps the test out of the verdict.
     pub p: Option<f64>,
+    /// The p-value is shown and spends no error: it is not in Holm, and rejects nothing.
+    pub reported: bool,
     /// What a rejection means.
     pub reason: Reason,
     /// Why there is no p-value, or what the statistic is made of.
@@ -30,19 +32,50 @@ impl Evidence {
     #[must_use]
     pub fn new(name: impl Into<String>, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> Self {
         let p = if p >= 0.0 && p <= 1.0 { p } else { 0.0 };
-        Self { name: name.into(), statistic, dof, p: Some(p), reason, note: String::new() }
+        Self { name: name.into(), statistic, dof, p: Some(p), reported: false, reason, note: String::new() }
     }
 
     /// A statistic that its gate keeps out of the verdict, and why.
     #[must_use]
     pub fn withheld(name: impl Into<String>, statistic: f64, reason: Reason, why: impl Into<String>) -> Self {
-        Self { name: name.into(), statistic, dof: None, p: None, reason, note: why.into() }
+        Self { name: name.into(), statistic, dof: None, p: None, reported: false, reason, note: why.into() }
+    }
+
+    /// The same with its p-value shown only: a statistic that the verdict does not use.
+    #[must_use]
+    pub fn reported(self) -> Self {
+        Self { reported: true, ..self }
+    }
+
+    /// The p-value that the verdict uses, if any.
+    #[must_use]
+    pub fn judged_p(&self) -> Option<f64> {
+        self.p.filter(|_| !self.reported)
     }
 
     /// The same with a note.
     #[must_use]
     pub fn noted(self, note: impl Into<String>) -> Self {
         Self { note: note.into(), ..self }
+    }
+}
+
+/// What contradicts a claim for certain: no p-value, and one is enough.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fact {
+    /// What saw it, such as `audit`, `support` or `scripted`.
+    pub check: &'static str,
+    /// What it means.
+    pub reason: Reason,
+    /// What was seen, in words.
+    pub words: String,
+}
+
+impl Fact {
+    /// That `check` saw `words`.
+    #[must_use]
+    pub fn new(check: &'static str, reason: Reason, words: impl Into<String>) -> Self {
+        Self { check, reason, words: words.into() }
     }
 }
 

@@ -1,7 +1,7 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
 use crate::collect::Collected;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Fact};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
 use crate::subject::{BLOCK, Scene, Subject};
@@ -16,7 +16,7 @@ pub struct Judged {
     /// Tests with p-values, and those withheld.
     pub evidence: Vec<Evidence>,
     /// What contradicts a claim for certain.
-    pub facts: Vec<(Reason, String)>,
+    pub facts: Vec<Fact>,
     /// What could not be judged.
     pub gates: Vec<(Reason, String)>,
 }
@@ -66,9 +66,15 @@ fn pdf_integral(integral: f64) -> Evidence {
 }
 
 impl Judged {
-    fn fact(&mut self, count: u64, reason: Reason, what: &str) {
+    /// What is said of a subject that did not finish its draws.
+    #[must_use]
+    pub fn broken(why: impl Into<String>) -> Self {
+        Self { facts: vec![Fact::new("subject", Reason::SubjectError, why)], ..Self::default() }
+    }
+
+    fn fact(&mut self, check: &'static str, count: u64, reason: Reason, what: &str) {
         if count > 0 {
-            self.facts.push((reason, format!("{count} {what}")));
+            self.facts.push(Fact::new(check, reason, format!("{count} {what}")));
         }
     }
 
@@ -76,28 +82,28 @@ impl Judged {
         let audit = seen.counts.audit;
         if plan.bounded {
             let what = format!("of {} look-ups lie above the majorant", audit.lookups);
-            self.fact(audit.above, Reason::BoundViolated, &what);
+            self.fact("audit", audit.above, Reason::BoundViolated, &what);
         }
         let what = format!("of {} look-ups lie outside the ray", audit.lookups);
-        self.fact(audit.outside, Reason::OutOfSupport, &what);
+        self.fact("audit", audit.outside, Reason::OutOfSupport, &what);
         if let Some(sums) = &seen.mean {
-            self.fact(sums.non_finite, Reason::NonFinite, "draws are NaN or infinite");
+            self.fact("finite", sums.non_finite, Reason::NonFinite, "draws are NaN or infinite");
         }
         let spoilt: u64 = seen.channels.iter().map(|(weights, _)| weights.non_finite).sum();
-        self.fact(spoilt, Reason::NonFinite, "weights are NaN or infinite");
+        self.fact("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite");
     }
 
     fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
-        self.fact(cells.non_finite, Reason::NonFinite, "draws are NaN");
-        self.fact(cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
-        self.fact(seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
+        self.fact("finite", cells.non_finite, Reason::NonFinite, "draws are NaN");
+        self.fact("support", cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
+        self.fact("unit_weight", seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
         self.follows("", &plan.truth, cells, plan.reason);
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);
         }
         if let (Scene::Grey { truth, .. }, None) = (subject.scene, &plan.own) {
             let count = in_vacuum(&plan.truth, truth, cells);
-            self.fact(count, Reason::OutOfSupport, "collisions lie where mu is 0");
+            self.fact("vacuum", count, Reason::OutOfSupport, "collisions lie where mu is 0");
         }
         if let (true, Scene::Grey { truth, .. }, Some(counts)) =
             (plan.coleman, subject.scene, &seen.counts.collisions)

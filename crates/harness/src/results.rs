@@ -95,6 +95,9 @@ pub struct SubjectResult {
     pub channels: Vec<ChannelResult>,
     /// Every test of both stages.
     pub tests: Vec<TestResult>,
+    /// What contradicts a claim for certain, in the order in which it was seen.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub facts: Vec<FactResult>,
     /// What the plots draw.
     pub series: Series,
     /// Look-ups of mu per draw, as counted.
@@ -127,6 +130,9 @@ pub struct TestResult {
     pub dof: Option<Real>,
     /// The p-value; none if the test's gate kept it out of the verdict.
     pub p: Option<Real>,
+    /// The p-value is shown and spends no error: the verdict does not use it.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub reported: bool,
     /// The p-value after Holm over all tests of the stage.
     pub p_adjusted: Option<Real>,
     /// Rejected at the stage's family-wise error.
@@ -136,6 +142,19 @@ pub struct TestResult {
     /// Why there is no p-value, or what the statistic is made of.
     #[serde(skip_serializing_if = "String::is_empty", default)]
     pub note: String,
+}
+
+/// One fact: no p-value, and one is enough.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct FactResult {
+    /// What saw it, such as `audit`, `support` or `scripted`.
+    pub check: String,
+    /// 1 or 2.
+    pub stage: u8,
+    /// The reason code.
+    pub reason: Reason,
+    /// What was seen.
+    pub words: String,
 }
 
 /// What the audit of look-ups recorded over all draws.

@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::real::Real;
 use crate::results::{Results, SCHEMA_VERSION, SubjectTiming};
 use crate::subject::{BLOCK, Subject};
-use crate::verdict::{Reason, Verdict};
+use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
 mod expect;
@@ -135,7 +135,7 @@ fn first_stage(
         Ok(collected) => collected,
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => {
-            let judged = broken(why);
+            let judged = Judged::broken(why);
             let collected = None;
             return Ok((Stage1 { judged, collected }, 0.0));
         }
@@ -152,10 +152,6 @@ fn first_stage(
     Ok((Stage1 { judged, collected }, seconds))
 }
 
-fn broken(why: String) -> Judged {
-    Judged { facts: vec![(Reason::SubjectError, why)], ..Judged::default() }
-}
-
 /// Fresh streams, twice as many, and all tests again.
 fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let tell = |draws| (options.progress)(Progress::Done(draws), &trial.prepared.name);
@@ -164,7 +160,7 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let second = match collect(&trial.subject, &trial.plan, options.seed, blocks..3 * blocks, &watch) {
         Ok(collected) => (judge(&trial.subject, &trial.plan, &collected), collected.draws),
         Err(Stopped::Cancelled) => return Err(Cancelled),
-        Err(Stopped::Subject(why)) => (broken(why), 0),
+        Err(Stopped::Subject(why)) => (Judged::broken(why), 0),
     };
     trial.second = Some(second);
     Ok(())

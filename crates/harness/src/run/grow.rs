@@ -1,7 +1,7 @@
 use super::Cancelled;
 use crate::case::BiasBound;
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::evidence::REPORTING_LEVEL;
+use crate::evidence::{Fact, REPORTING_LEVEL};
 use crate::judge::{Judged, judge};
 use crate::plan::{MeanPlan, Plan};
 use crate::special::clopper_pearson;
@@ -67,7 +67,7 @@ impl Growth<'_> {
                 }
                 Err(Stopped::Cancelled) => return Err(Cancelled),
                 Err(Stopped::Subject(why)) => {
-                    judged.facts.push((Reason::SubjectError, why));
+                    judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
                     return Ok(());
                 }
             }

@@ -8,8 +8,8 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, LawResult, MeanResult, OrderResult, Series, SubjectResult,
-    TestResult,
+    Atom, AuditResult, ChannelResult, Efficiency, FactResult, LawResult, MeanResult, OrderResult, Series,
+    SubjectResult, TestResult,
 };
 use crate::special::{clopper_pearson, normal_quantile};
 use crate::tally::{CellTally, PowerSums};
@@ -56,6 +56,7 @@ pub(super) fn result(
         law: cells.map(|(plan, cells)| law_result(plan, cells)),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
+        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
@@ -113,12 +114,23 @@ fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
         statistic: Real(evidence.statistic),
         dof: evidence.dof.map(Real),
         p: evidence.p.map(Real),
+        reported: evidence.reported,
         p_adjusted: adjusted.map(Real),
         rejected: rejects(*adjusted),
         reason: evidence.reason,
         note: evidence.note.clone(),
     };
     of.judged.evidence.iter().zip(of.adjusted).map(one).collect()
+}
+
+fn facts((stage, of): (u8, Stage<'_>)) -> Vec<FactResult> {
+    let one = |fact: &crate::evidence::Fact| FactResult {
+        check: fact.check.into(),
+        stage,
+        reason: fact.reason,
+        words: fact.words.clone(),
+    };
+    of.judged.facts.iter().map(one).collect()
 }
 
 fn audit(seen: &Collected) -> AuditResult {
