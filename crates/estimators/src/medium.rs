@@ -8,6 +8,7 @@ mod box_spike;
 mod chromatic;
 mod constant;
 mod exponential;
+mod formula;
 mod gaussian;
 mod linear;
 mod numeric;
@@ -72,6 +73,7 @@ crate::list::list! {
         linear::Linear,
         exponential::Exponential,
         gaussian::Gaussian,
+        formula::Formula,
         sinusoid::Sinusoid,
         box_spike::BoxSpike,
         piecewise_constant::PiecewiseConstant,
