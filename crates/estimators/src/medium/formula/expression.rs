@@ -1,3 +1,4 @@
+use super::functions::{One, Two};
 use super::syntax::Parser;
 
 /// The deepest stack that a formula may need.
@@ -11,8 +12,8 @@ const LONGEST: usize = 4096;
 pub(super) enum Step {
     Number(f64),
     T,
-    One(fn(f64) -> f64),
-    Two(fn(f64, f64) -> f64),
+    One(One),
+    Two(Two),
 }
 
 /// A formula in t, ready to be evaluated.

@@ -1,7 +1,13 @@
 //! What a formula may call.
 
-/// A function of one number, by name. All from `libm`, which gives the same bits on every machine.
-pub(super) const ONE: &[(&str, fn(f64) -> f64)] = &[
+/// A function of one number.
+pub(super) type One = fn(f64) -> f64;
+
+/// A function of two numbers, or an operator between them.
+pub(super) type Two = fn(f64, f64) -> f64;
+
+/// Functions of one number, by name. All from `libm`, which gives the same bits on every machine.
+pub(super) const ONE: &[(&str, One)] = &[
     ("abs", f64::abs),
     ("sqrt", libm::sqrt),
     ("exp", libm::exp),
@@ -19,8 +25,8 @@ pub(super) const ONE: &[(&str, fn(f64) -> f64)] = &[
     ("floor", libm::floor),
 ];
 
-/// A function of two numbers, by name.
-pub(super) const TWO: &[(&str, fn(f64, f64) -> f64)] = &[("min", lesser), ("max", greater), ("step", step)];
+/// Functions of two numbers, by name.
+pub(super) const TWO: &[(&str, Two)] = &[("min", lesser), ("max", greater), ("step", step)];
 
 /// NaN if either is.
 fn lesser(a: f64, b: f64) -> f64 {

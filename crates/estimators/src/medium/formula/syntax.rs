@@ -1,5 +1,5 @@
 use super::expression::{DEEPEST, Step};
-use super::functions::{ONE, TWO, names};
+use super::functions::{ONE, TWO, Two, names};
 
 /// How deep brackets, signs and powers may be nested; a step needs at most one place of the stack for each.
 const NESTED: usize = DEEPEST / 4;
@@ -140,7 +140,7 @@ impl<'a> Parser<'a> {
 }
 
 /// What an operator does, how tightly it binds, and how tightly what follows must.
-fn operator(c: char) -> Option<(fn(f64, f64) -> f64, u8, u8)> {
+fn operator(c: char) -> Option<(Two, u8, u8)> {
     match c {
         '+' => Some((std::ops::Add::add, SUM, SUM + 1)),
         '-' => Some((std::ops::Sub::sub, SUM, SUM + 1)),
