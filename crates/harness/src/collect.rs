@@ -2,12 +2,13 @@
 
 use crate::audit::Audit;
 use crate::plan::Plan;
-use crate::sample::{columns, sample_block};
+use crate::sample::{columns, sample_block, sample_in_parts};
 use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
+use crate::tally::{CellTally, CountTally, LagTally, MarkTally, NullTally, PowerSums, Running, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
+use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -15,8 +16,11 @@ use std::sync::{Mutex, PoisonError};
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
 
-/// Blocks at the start of a range in which all ties are counted.
+/// Blocks at the start of a range in which all ties are counted and all look-ups placed.
 const FIRST_BLOCKS: u64 = 4;
+
+/// Sets the streams of a ray in two parts apart from those of the whole.
+const IN_PARTS: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// What a worker counts: integers, which merge in any order.
 #[derive(Clone, Debug, Default)]
@@ -29,6 +33,14 @@ pub struct Counts {
     pub lag: LagTally,
     /// Equal draws.
     pub ties: TieTally,
+    /// Tentative and real collisions of the first blocks, where those are claimed.
+    pub nulls: Option<NullTally>,
+    /// Free paths of the ray in two parts, by cell.
+    pub series: Option<CellTally>,
+    /// Look-ups beyond its part of the ray.
+    pub beyond: u64,
+    /// Marks by group of distance.
+    pub marks: Option<MarkTally>,
     /// Free paths whose weight is not 1.
     pub weighted: u64,
     /// Look-ups by block.
@@ -85,20 +97,47 @@ impl Worker {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts { cells, collisions, ..Counts::default() };
+        let law = plan.law.as_ref();
+        let nulls = law.filter(|law| law.coleman && plan.bounded).map(|law| NullTally::new(&law.truth));
+        let series = law.filter(|law| law.cut.is_some()).map(|law| CellTally::new(&law.truth));
+        let marks = law.filter(|law| law.marked).map(|_| MarkTally::default());
+        let counts = Counts { cells, collisions, nulls, series, marks, ..Counts::default() };
         Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
 
-    /// One block; `first` says whether it is among the first of its range.
-    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
-        let row = key.block * BLOCK as u64;
-        let record = sample_block(subject, key, row, &mut self.draws)?;
+    /// One block, the `nth` of its range.
+    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
+        let (row, first) = (key.block * BLOCK as u64, nth < FIRST_BLOCKS);
+        if nth == 0 {
+            self.in_parts(subject, plan, key)?;
+        }
+        let watch = self.counts.nulls.take_if(|_| first).map(RefCell::new);
+        let record = sample_block(subject, key, row, &mut self.draws, watch.as_ref())?;
+        let watched = watch.map(RefCell::into_inner);
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
         self.count(plan, first);
+        if let Some(mut nulls) = watched {
+            nulls.draws(&self.index);
+            self.counts.nulls = Some(nulls);
+        }
         let early = if row == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
         Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+    }
+
+    /// A block of free paths of the ray in two parts, on streams of its own.
+    fn in_parts(&mut self, subject: &Subject, plan: &Plan, key: Key) -> Result<(), String> {
+        let Self { draws, index, counts, .. } = self;
+        if let (Some(law), Some(series)) = (&plan.law, &mut counts.series)
+            && let Some(cut) = law.cut
+        {
+            let key = Key { subject: key.subject ^ IN_PARTS, ..key };
+            let audit = sample_in_parts(subject, cut, key, &mut draws.t)?;
+            series.observe(&law.truth, &draws.t, index);
+            counts.beyond += audit.outside;
+        }
+        Ok(())
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -107,6 +146,9 @@ impl Worker {
             cells.observe(&law.truth, &draws.t, index);
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
+                if let Some(marks) = &mut counts.marks {
+                    marks.observe(scores, &draws.mark, index);
+                }
             }
             if law.pair.is_some() {
                 counts.ties.observe(&draws.t, first);
@@ -155,6 +197,16 @@ impl Counts {
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
             a.merge(b);
         }
+        if let (Some(a), Some(b)) = (&mut self.nulls, &other.nulls) {
+            a.merge(b);
+        }
+        if let (Some(a), Some(b)) = (&mut self.series, &other.series) {
+            a.merge(b);
+        }
+        if let (Some(a), Some(b)) = (&mut self.marks, &other.marks) {
+            a.merge(b);
+        }
+        self.beyond += other.beyond;
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
         self.weighted += other.weighted;
@@ -211,11 +263,11 @@ impl Workers {
         Self((0..slots).map(|_| Mutex::new(None)).collect())
     }
 
-    fn run(&self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
+    fn run(&self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
         let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
         let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
-        worker.run(subject, plan, key, first)
+        worker.run(subject, plan, key, nth)
     }
 
     /// The counts of all workers; none if nobody worked.
@@ -244,11 +296,7 @@ pub fn collect(
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {
         let key = Key { seed, subject: subject.key, block };
-        if cancelled() {
-            Err(String::new())
-        } else {
-            workers.run(subject, plan, key, block - blocks.start < FIRST_BLOCKS)
-        }
+        if cancelled() { Err(String::new()) } else { workers.run(subject, plan, key, block - blocks.start) }
     };
     while start < blocks.end {
         let after = start + WAVE;

@@ -119,10 +119,34 @@ impl Judged {
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::lags(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::pairs(&seen.counts.lag));
+        }
+        self.joint(plan, seen);
+    }
+
+    /// What goes with the distances: look-ups, a boundary, marks.
+    fn joint(&mut self, plan: &LawPlan, seen: &Collected) {
+        let counts = &seen.counts;
+        self.evidence.extend(counts.nulls.as_ref().map(test::null_positions));
+        if let Some(cells) = &counts.series {
+            self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
+            self.fact(
+                "support",
+                cells.out_of_support,
+                Reason::OutOfSupport,
+                "draws lie outside their part of the ray",
+            );
+            self.fact("audit", counts.beyond, Reason::OutOfSupport, "look-ups lie outside their part of the ray");
+            self.evidence.push(test::series(&plan.truth, cells, plan.reason));
+        }
+        if let Some(marks) = &counts.marks {
+            self.fact("finite", marks.spoilt, Reason::NonFinite, "marks do not lie in [0, 1)");
+            self.evidence.push(test::mark(marks));
         }
     }
 
-    /// The tests of one law: escape atom, chi-square at three scales, Kolmogorov-Smirnov.
+    /// The tests of one law: escape atom, chi-square at three scales, Kolmogorov-Smirnov, exposure score, Neyman's.
     fn follows(&mut self, prefix: &str, law: &Law, cells: &CellTally, reason: Reason) {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
@@ -132,6 +156,8 @@ impl Judged {
             test::chi_square("chi_square_64", law, cells, 64, reason),
             test::chi_square("chi_square_fine", law, cells, fine, reason),
             test::kolmogorov(law, cells, reason),
+            test::exposure(law, cells, reason),
+            test::neyman(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));

@@ -14,6 +14,7 @@ use std::sync::atomic::AtomicBool;
 
 mod expect;
 mod grow;
+mod life_table;
 mod media;
 mod series;
 mod subjects;

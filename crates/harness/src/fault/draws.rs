@@ -77,6 +77,7 @@ fn complete(draws: &mut Draws, window: usize) {
         order.sort_by_key(|&row| draws.collisions.get(row).copied().unwrap_or(0));
         permute(&mut draws.t, part, &order);
         permute(&mut draws.weight, part, &order);
+        permute(&mut draws.mark, part, &order);
         permute(&mut draws.collisions, part, &order);
     }
 }

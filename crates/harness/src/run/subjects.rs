@@ -1,6 +1,6 @@
 //! The result of one subject.
 
-use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
+use super::{Options, Prepared, PreparedSubject, Trial, expected, life_table, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
@@ -12,9 +12,10 @@ use crate::results::{
     SubjectResult, TestResult,
 };
 use crate::special::{clopper_pearson, normal_quantile};
+use crate::subject::Scene;
 use crate::tally::{CellTally, PowerSums};
-use crate::test::{Interval, MeanClaim, larger, mean};
-use crate::verdict::Reason;
+use crate::test::{Interval, MeanClaim, detectable_cell, detectable_scale, larger, mean};
+use crate::verdict::{Reason, Verdict};
 
 pub(super) fn result(
     cases: &[Prepared],
@@ -31,6 +32,12 @@ pub(super) fn result(
     let id = id(case, prepared);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    let table = cells.map(|(plan, cells)| life_table::of(plan, breaks(trial.subject.scene), cells));
+    let mut notes = decision.notes;
+    if decision.verdict == Verdict::Fail {
+        notes.extend(table.as_ref().and_then(life_table::worst));
+    }
+    let running = mean.and(seen).map(|seen| series::running(&seen.running));
     SubjectResult {
         repro: repro(case, &id, options),
         id,
@@ -44,7 +51,7 @@ pub(super) fn result(
         parameters: serde_json::to_value(&prepared.spec).unwrap_or_default(),
         verdict: decision.verdict,
         reasons: decision.reasons,
-        notes: decision.notes,
+        notes,
         expected,
         expected_by_design: by_design,
         as_expected,
@@ -57,7 +64,7 @@ pub(super) fn result(
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
         facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
-        series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
+        series: Series { running, life_table: table, ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
@@ -72,7 +79,14 @@ fn of_law(cells: Option<(&LawPlan, &CellTally)>) -> Series {
         cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
         histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
         residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
-        running: None,
+        ..Series::default()
+    }
+}
+
+fn breaks(scene: Scene<'_>) -> &[f64] {
+    match scene {
+        Scene::Grey { truth, .. } => truth.breaks(),
+        Scene::Chromatic(_) => &[],
     }
 }
 
@@ -206,6 +220,8 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
         distance: Real(distance),
         bound: Real(hidden + band),
         detectable: Real(band + power),
+        detectable_scale: detectable_scale(law, n, REPORTING_LEVEL).map(Real),
+        detectable_cell: detectable_cell(law, tally, REPORTING_LEVEL).map(Real),
         atom: Atom {
             expected: Real(law.atom()),
             estimate: Real(tally.escapes as f64 / n as f64),
