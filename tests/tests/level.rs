@@ -1,13 +1,18 @@
 //! Every test keeps its level: over many seeds its p-values are never below uniform.
 
+use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::medium::Constant;
+use freepath_estimators::random::uniform;
+use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::special::binomial_sf;
-use freepath_tests::{parse, results};
+use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_tests::{judgement, parse, results};
 use std::collections::BTreeMap;
 
 const SEEDS: u64 = 150;
 
 /// Right subjects of every kind, at four blocks each.
-const CASES: [&str; 3] = [
+const CASES: [&str; 4] = [
     r#"{
       "title": "level", "draws": 65536,
       "medium": { "sinusoid": { "mean": 1.0, "amplitude": 0.9, "frequency": 2.0, "phase": 0.7, "length": 2.185 } },
@@ -21,6 +26,10 @@ const CASES: [&str; 3] = [
         { "transmittance": { "residual_ratio_tracking": { "control": "mean" } } },
         { "transmittance": { "ray_marching": { "rule": "stratified", "steps": 64 } } }
       ] }"#,
+    r#"{
+      "title": "level of the exposure score", "draws": 131072,
+      "medium": { "linear": { "mu0": 1.0, "mu1": 4.0, "length": 2.2 } },
+      "subjects": [ { "free_path": { "delta_tracking": {} } } ] }"#,
     r#"{
       "title": "level of skew means", "draws": 65536,
       "medium": { "linear": { "mu0": 0.5, "mu1": 6.0, "length": 2.2 } },
@@ -50,7 +59,30 @@ fn p_values() -> BTreeMap<String, Vec<f64>> {
             }
         }
     }
+    all.insert("mark".into(), (0..SEEDS).filter_map(of_marks).collect());
     all
+}
+
+/// A right sampler with a mark.
+struct Marked;
+
+impl FreePathSampler for Marked {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
+        DeltaTracking::default().sample(medium, rng)
+    }
+    fn marked(&self) -> bool {
+        true
+    }
+    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> (FreePath, f64) {
+        (self.sample(medium, rng), uniform(rng))
+    }
+}
+
+/// The p-value of the marks, under one seed.
+fn of_marks(seed: u64) -> Option<f64> {
+    let medium = Constant::new(1.3, 2.1).expect("a medium");
+    let scene = Scene::Grey { truth: &medium, seen: &medium };
+    judgement(&Subject { draws: 16_384, ..Subject::new(Work::FreePath(&Marked), scene) }, 1000 + seed).p("mark")
 }
 
 #[test]
@@ -69,6 +101,9 @@ fn no_test_rejects_more_often_than_its_level() {
             }
         }
     }
-    assert!(all.len() >= 12, "{:?}", all.keys());
+    let wanted = ["exposure", "neyman_", "lag_2_to_", "pairs_", "null_positions", "series", "mark"];
+    let made = wanted.map(|name| (name, all.get(name).map_or(0, Vec::len))).into_iter();
+    let unseen: Vec<_> = made.filter(|(_, n)| *n < SEEDS as usize).collect();
+    assert!(all.len() >= 19 && unseen.is_empty(), "{unseen:?} of {:?}", all.keys());
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -137,7 +137,12 @@ impl Judged {
                 Reason::OutOfSupport,
                 "draws lie outside their part of the ray",
             );
-            self.fact("audit", counts.beyond, Reason::OutOfSupport, "look-ups lie outside their part of the ray");
+            self.fact(
+                "audit",
+                counts.beyond,
+                Reason::OutOfSupport,
+                "look-ups lie outside their part of a ray in two",
+            );
             self.evidence.push(test::series(&plan.truth, cells, plan.reason));
         }
         if let Some(marks) = &counts.marks {

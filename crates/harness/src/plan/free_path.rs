@@ -34,7 +34,9 @@ impl LawPlan {
         plan.pair = plan.pair.filter(|_| claims.continuous);
         plan.coleman = claims.coleman && subject.claims(Claim::Lookups);
         if let Work::FreePath(sampler) = subject.work {
-            plan.cut = plan.own.is_none().then(|| cut(truth)).filter(|&cut| works_in_parts(sampler, truth, cut));
+            plan.cut = (claims.parts && plan.own.is_none())
+                .then(|| cut(truth))
+                .filter(|&cut| works_in_parts(sampler, truth, cut));
             plan.marked = sampler.marked() && plan.scores.is_some();
         }
         plan

@@ -32,12 +32,7 @@ pub(super) fn result(
     let id = id(case, prepared);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
-    let table = cells.map(|(plan, cells)| life_table::of(plan, breaks(trial.subject.scene), cells));
-    let mut notes = decision.notes;
-    if decision.verdict == Verdict::Fail {
-        notes.extend(table.as_ref().and_then(life_table::worst));
-    }
-    let running = mean.and(seen).map(|seen| series::running(&seen.running));
+    let series = all_series(trial, mean.is_some(), cells);
     SubjectResult {
         repro: repro(case, &id, options),
         id,
@@ -51,7 +46,7 @@ pub(super) fn result(
         parameters: serde_json::to_value(&prepared.spec).unwrap_or_default(),
         verdict: decision.verdict,
         reasons: decision.reasons,
-        notes,
+        notes: decision.notes.into_iter().chain(diagnosis(decision.verdict, &series)).collect(),
         expected,
         expected_by_design: by_design,
         as_expected,
@@ -64,7 +59,7 @@ pub(super) fn result(
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
         facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
-        series: Series { running, life_table: table, ..of_law(cells) },
+        series,
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
@@ -73,14 +68,21 @@ pub(super) fn result(
     }
 }
 
-/// The series of a law.
-fn of_law(cells: Option<(&LawPlan, &CellTally)>) -> Series {
+/// What the plots of a subject draw.
+fn all_series(trial: &Trial, mean: bool, cells: Option<(&LawPlan, &CellTally)>) -> Series {
+    let seen = trial.first.collected.as_ref().filter(|_| mean);
     Series {
         cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
         histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
         residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
-        ..Series::default()
+        life_table: cells.map(|(plan, cells)| life_table::of(plan, breaks(trial.subject.scene), cells)),
+        running: seen.map(|seen| series::running(&seen.running)),
     }
+}
+
+/// Where the law of a subject that fails breaks.
+fn diagnosis(verdict: Verdict, series: &Series) -> Option<String> {
+    series.life_table.as_ref().filter(|_| verdict == Verdict::Fail).and_then(life_table::worst)
 }
 
 fn breaks(scene: Scene<'_>) -> &[f64] {

@@ -124,15 +124,15 @@ mod tests {
             let (mean, p) = (mean(&start, &end), law.mass(k) / law.collided());
             for i in 0..ORDER {
                 first[i] += p * mean[i];
-                (0..ORDER).for_each(|j| second[i][j] += p * mean[i] * mean[j]);
+                second[i].iter_mut().zip(&mean).for_each(|(sum, other)| *sum += p * mean[i] * other);
             }
             start = end;
         }
         for i in 0..ORDER {
             assert!(first[i].abs() < 1e-12, "{i}: {}", first[i]);
-            for j in 0..ORDER {
+            for (j, product) in second[i].iter().enumerate() {
                 let unit = f64::from(u8::from(i == j));
-                assert!((second[i][j] - unit).abs() < 1e-4, "{i} {j}: {}", second[i][j]);
+                assert!((product - unit).abs() < 1e-4, "{i} {j}: {product}");
             }
         }
     }
