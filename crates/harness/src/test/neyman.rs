@@ -46,19 +46,30 @@ pub fn neyman(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
 /// sum over cells of count x mean of sqrt(2 j + 1) P_j, each lessened by `slack` times the variation of that mean.
 fn components(law: &Law, counts: &[u64], slack: f64) -> [f64; ORDER] {
     let (mut sums, mut variation) = ([0.0; ORDER], [0.0; ORDER]);
-    let x = |k: usize| 2.0 * law.mass_between(0, k) / law.collided() - 1.0;
-    let mut start = Edge::at(x(0));
-    let mut last: Option<[f64; ORDER]> = None;
+    let (scale, legendre) = (2.0 / law.collided(), Legendre::new());
+    let mut start = legendre.at(-1.0);
+    let mut last = legendre.mean(&start, &start);
     for (k, &count) in counts.iter().enumerate() {
-        let end = Edge::at(x(k + 1));
-        let mean = mean(&start, &end);
+        let end = legendre.at(scale * law.mass_between(0, k + 1) - 1.0);
+        let mean = legendre.mean(&start, &end);
         for j in 0..ORDER {
             sums[j] += count as f64 * mean[j];
-            variation[j] += last.map_or(0.0, |last| (mean[j] - last[j]).abs());
+            variation[j] += (mean[j] - last[j]).abs();
         }
-        (start, last) = (end, Some(mean));
+        (start, last) = (end, mean);
     }
     std::array::from_fn(|j| lessened(sums[j], slack * variation[j]))
+}
+
+/// The coefficients of the polynomials, so that no cell divides or takes a root for them.
+struct Legendre {
+    /// P_(j+1) = up\[j\] x P_j - down\[j\] P_(j-1).
+    up: [f64; ORDER + 1],
+    down: [f64; ORDER + 1],
+    /// sqrt(2 j + 1).
+    norm: [f64; ORDER + 1],
+    /// 1 / sqrt(2 j + 1).
+    shrink: [f64; ORDER + 1],
 }
 
 /// The Legendre polynomials of degree 0 to 17 at `x`.
@@ -67,35 +78,43 @@ struct Edge {
     p: [f64; ORDER + 2],
 }
 
-impl Edge {
-    fn at(x: f64) -> Self {
+impl Legendre {
+    fn new() -> Self {
+        let of = |f: &dyn Fn(f64) -> f64| std::array::from_fn(|j| f(j as f64));
+        Self {
+            up: of(&|j| (2.0 * j + 1.0) / (j + 1.0)),
+            down: of(&|j| j / (j + 1.0)),
+            norm: of(&|j| (2.0 * j + 1.0).sqrt()),
+            shrink: of(&|j| 1.0 / (2.0 * j + 1.0).sqrt()),
+        }
+    }
+
+    fn at(&self, x: f64) -> Edge {
         let mut p = [1.0; ORDER + 2];
         p[1] = x;
         for j in 1..=ORDER {
-            let n = j as f64;
-            p[j + 1] = ((2.0 * n + 1.0) * x * p[j] - n * p[j - 1]) / (n + 1.0);
+            p[j + 1] = self.up[j] * x * p[j] - self.down[j] * p[j - 1];
         }
-        Self { x, p }
+        Edge { x, p }
     }
-}
 
-/// The means of sqrt(2 j + 1) P_j between two points; where they nearly coincide the difference would cancel, and the value at
-/// one of them is as good.
-///
-/// ```text
-/// int P_j = (P_(j+1) - P_(j-1)) / (2 j + 1)
-/// ```
-fn mean(a: &Edge, b: &Edge) -> [f64; ORDER] {
-    std::array::from_fn(|i| {
-        let j = i + 1;
-        let norm = (2.0 * j as f64 + 1.0).sqrt();
+    /// The means of sqrt(2 j + 1) P_j between two points; where they nearly coincide the difference would cancel, and the
+    /// value at one of them is as good.
+    ///
+    /// ```text
+    /// int P_j = (P_(j+1) - P_(j-1)) / (2 j + 1)
+    /// ```
+    fn mean(&self, a: &Edge, b: &Edge) -> [f64; ORDER] {
         let width = b.x - a.x;
         if width < 1e-9 {
-            return norm * b.p[j];
+            return std::array::from_fn(|i| self.norm[i + 1] * b.p[i + 1]);
         }
-        let integral = (b.p[j + 1] - a.p[j + 1]) - (b.p[j - 1] - a.p[j - 1]);
-        integral / (norm * width)
-    })
+        let inverse = 1.0 / width;
+        std::array::from_fn(|i| {
+            let integral = (b.p[i + 2] - a.p[i + 2]) - (b.p[i] - a.p[i]);
+            integral * self.shrink[i + 1] * inverse
+        })
+    }
 }
 
 #[cfg(test)]
@@ -118,10 +137,11 @@ mod tests {
     #[test]
     fn components_are_centred_and_of_unit_variance() {
         let law = law();
-        let (mut start, mut first, mut second) = (Edge::at(-1.0), [0.0; ORDER], [[0.0; ORDER]; ORDER]);
+        let legendre = Legendre::new();
+        let (mut start, mut first, mut second) = (legendre.at(-1.0), [0.0; ORDER], [[0.0; ORDER]; ORDER]);
         for k in 0..law.cells() {
-            let end = Edge::at(2.0 * law.mass_between(0, k + 1) / law.collided() - 1.0);
-            let (mean, p) = (mean(&start, &end), law.mass(k) / law.collided());
+            let end = legendre.at(2.0 * law.mass_between(0, k + 1) / law.collided() - 1.0);
+            let (mean, p) = (legendre.mean(&start, &end), law.mass(k) / law.collided());
             for i in 0..ORDER {
                 first[i] += p * mean[i];
                 second[i].iter_mut().zip(&mean).for_each(|(sum, other)| *sum += p * mean[i] * other);
@@ -141,7 +161,7 @@ mod tests {
     fn the_component_that_is_off_is_named() {
         let law = law();
         assert!(neyman(&law, &tally(&law, |_| 1.0), Reason::WrongLaw).p > Some(0.99));
-        let third = |u: f64| 1.0 + 0.005 * 7f64.sqrt() * Edge::at(2.0 * u - 1.0).p[3];
+        let third = |u: f64| 1.0 + 0.005 * 7f64.sqrt() * Legendre::new().at(2.0 * u - 1.0).p[3];
         let evidence = neyman(&law, &tally(&law, third), Reason::WrongLaw);
         assert!(evidence.p < Some(1e-12), "{evidence:?}");
         assert!(evidence.note.starts_with("largest component: 3 "), "{}", evidence.note);
