@@ -63,7 +63,7 @@ fn components(law: &Law, counts: &[u64], slack: f64) -> [f64; ORDER] {
 
 /// The coefficients of the polynomials, so that no cell divides or takes a root for them.
 struct Legendre {
-    /// P_(j+1) = up\[j\] x P_j - down\[j\] P_(j-1).
+    /// `P_(j+1) = up[j] x P_j - down[j] P_(j-1)`.
     up: [f64; ORDER + 1],
     down: [f64; ORDER + 1],
     /// sqrt(2 j + 1).
