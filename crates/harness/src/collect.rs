@@ -3,8 +3,9 @@
 use crate::audit::Audit;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
+use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
+use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -35,6 +36,8 @@ pub struct Counts {
     pub lookups: BlockLookups,
     /// Look-ups, all told.
     pub audit: Audit,
+    /// Of the column `weight`, or of each chromatic claim: the largest, where their range is not known.
+    pub tails: Vec<Tail>,
 }
 
 /// Everything that was folded from a range of blocks.
@@ -46,6 +49,8 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
+    /// What the bets of the plan gained.
+    pub capitals: Capitals,
     /// Of each chromatic claim: weights, and their squares.
     pub channels: Vec<(PowerSums, PowerSums)>,
     /// Draws taken.
@@ -66,6 +71,7 @@ pub enum Stopped {
 /// The float sums of one block.
 struct BlockSums {
     mean: Option<PowerSums>,
+    capitals: Capitals,
     channels: Vec<(PowerSums, PowerSums)>,
     seconds: f64,
     /// For the first block: sums over its first draws.
@@ -85,7 +91,8 @@ impl Worker {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts { cells, collisions, ..Counts::default() };
+        let tails = vec![Tail::default(); plan.tails()];
+        let counts = Counts { cells, collisions, tails, ..Counts::default() };
         Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
 
@@ -98,7 +105,11 @@ impl Worker {
         self.count(plan, first);
         let early = if row == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+        if let (Some(_), Some(tail)) = (&mean, self.counts.tails.first_mut()) {
+            tail.observe(&self.draws.weight);
+        }
+        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
+        Ok(BlockSums { mean, capitals, channels: self.channels(plan), seconds: record.seconds, early })
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -131,19 +142,20 @@ impl Worker {
         let Some(channels) = &plan.channels else {
             return Vec::new();
         };
-        let Self { draws, masked, .. } = self;
-        let mut one = |claim: &crate::plan::ChannelClaim| {
+        let Self { draws, masked, counts, .. } = self;
+        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Tail)| {
             let column = &draws.channels[claim.channel];
             masked.clear();
             masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
+            tail.observe(masked);
             let weights = PowerSums::of(claim.mean.expected, masked);
             masked.iter_mut().for_each(|w| *w *= *w);
             (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
         };
-        channels.claims.iter().map(&mut one).collect()
+        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
     }
 }
 
@@ -160,6 +172,9 @@ impl Counts {
         self.weighted += other.weighted;
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
+        for (a, b) in self.tails.iter_mut().zip(&other.tails) {
+            a.merge(b);
+        }
     }
 }
 
@@ -172,6 +187,7 @@ impl Collected {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
             seconds: 0.0,
@@ -185,12 +201,38 @@ impl Collected {
             a.merge(b);
             self.running.note(a);
         }
+        self.capitals.merge(&block.capitals);
         for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
             weights.merge(w);
             squares.merge(s);
         }
         self.draws += BLOCK as u64;
         self.seconds += block.seconds;
+    }
+
+    /// Takes in later draws; the running mean stays as it is.
+    pub fn merge(&mut self, next: Self) {
+        if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
+            a.merge(b);
+        }
+        self.capitals.merge(&next.capitals);
+        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&next.channels) {
+            weights.merge(w);
+            squares.merge(s);
+        }
+        self.counts.merge(next.counts);
+        self.draws += next.draws;
+        self.seconds += next.seconds;
+        self.fit_tails();
+    }
+
+    /// Notes the Pareto shape of each column whose tail was kept.
+    fn fit_tails(&mut self) {
+        let Self { counts, mean, channels, .. } = self;
+        let columns = mean.iter_mut().chain(channels.iter_mut().map(|(weights, _)| weights));
+        for (sums, tail) in columns.zip(&counts.tails) {
+            sums.shape = tail.shape(sums.n);
+        }
     }
 }
 
@@ -264,5 +306,6 @@ pub fn collect(
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
     Ok(collected)
 }

@@ -170,13 +170,9 @@ impl Judged {
         what: &str,
     ) {
         let (expected, bound) = (claim.expected, interval.bound());
-        let error = (sums.variance() / sums.n as f64).sqrt();
-        let known = claim.variance.map_or(0.0, |v| (v / sums.n as f64).sqrt());
-        let seen = error <= 0.05 * expected && known <= 0.05 * expected; // at least 400 draws' worth
-        let rare = !seen || sums.constant();
         if evidence.p.is_none() {
-            let reason = if rare { Reason::RareEvent } else { Reason::HeavyTail };
-            self.gates.push((reason, format!("{what}: {}", evidence.note)));
+            let (reason, why) = test::open(sums, claim);
+            self.gates.push((reason, format!("{what}: {why}")));
         } else if !(bound < expected) && interval.method != test::Method::Exact {
             let why =
                 format!("{what}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}");

@@ -2,6 +2,7 @@
 
 use crate::case::Claim;
 use crate::law::Law;
+use crate::sequence::Bets;
 use crate::subject::{Scene, Subject, Work};
 use crate::tally::Scores;
 use crate::test::{MeanClaim, pair_probability};
@@ -25,6 +26,8 @@ pub struct Plan {
     pub law: Option<LawPlan>,
     /// Of the column `weight`.
     pub mean: Option<MeanPlan>,
+    /// What is bet on the draws while they grow towards a bound.
+    pub bets: Option<Bets>,
     /// Of the weights per channel.
     pub channels: Option<ChannelsPlan>,
     /// `collisions` is Poisson with this mean.
@@ -70,11 +73,19 @@ impl Plan {
         plan
     }
 
+    /// Columns whose largest values are kept: those of no known range.
+    #[must_use]
+    pub fn tails(&self) -> usize {
+        let mean = self.mean.as_ref().filter(|mean| mean.truth.range.is_none());
+        mean.map_or(0, |_| 1) + self.channels.as_ref().map_or(0, |channels| channels.claims.len())
+    }
+
     /// A subject in a scene that does not fit it: no claim.
     fn nothing() -> Self {
         Self {
             law: None,
             mean: None,
+            bets: None,
             channels: None,
             poisson: None,
             lookups: None,
@@ -88,7 +99,7 @@ impl Plan {
         let law = LawPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, law.design_distance()));
         Self {
-            design: Design::of_law(&law, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_law(&law, draws)),
             law: Some(law),
             lookups: claims.lookups,
             bounded: claims.bounded,
@@ -101,7 +112,8 @@ impl Plan {
         let mean = MeanPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, mean.design_bias()));
         Self {
-            design: Design::of_mean(&mean, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_mean(&mean, draws)),
+            bets: mean.bets(subject),
             mean: Some(mean),
             poisson: claims.poisson,
             lookups: claims.lookups,
