@@ -37,7 +37,7 @@ pub struct Counts {
     /// Look-ups, all told.
     pub audit: Audit,
     /// Of the column `weight`, or of each chromatic claim: the largest, where their range is not known.
-    pub tails: Vec<Tail>,
+    pub tails: Vec<Option<Tail>>,
 }
 
 /// Everything that was folded from a range of blocks.
@@ -51,8 +51,8 @@ pub struct Collected {
     pub running: Running,
     /// What the bets of the plan gained.
     pub capitals: Capitals,
-    /// Of each chromatic claim: weights, and their squares.
-    pub channels: Vec<(PowerSums, PowerSums)>,
+    /// Of the weights of each chromatic claim.
+    pub channels: Vec<PowerSums>,
     /// Draws taken.
     pub draws: u64,
     /// Seconds of sampling, summed over threads.
@@ -72,7 +72,7 @@ pub enum Stopped {
 struct BlockSums {
     mean: Option<PowerSums>,
     capitals: Capitals,
-    channels: Vec<(PowerSums, PowerSums)>,
+    channels: Vec<PowerSums>,
     seconds: f64,
     /// For the first block: sums over its first draws.
     early: Vec<PowerSums>,
@@ -91,7 +91,7 @@ impl Worker {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let tails = vec![Tail::default(); plan.tails()];
+        let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
         let counts = Counts { cells, collisions, tails, ..Counts::default() };
         Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
@@ -105,7 +105,7 @@ impl Worker {
         self.count(plan, first);
         let early = if row == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        if let (Some(_), Some(tail)) = (&mean, self.counts.tails.first_mut()) {
+        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
             tail.observe(&self.draws.weight);
         }
         let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
@@ -138,22 +138,20 @@ impl Worker {
         counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
     }
 
-    fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
+    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
         let Some(channels) = &plan.channels else {
             return Vec::new();
         };
         let Self { draws, masked, counts, .. } = self;
-        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Tail)| {
+        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Option<Tail>)| {
             let column = &draws.channels[claim.channel];
             masked.clear();
             masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
-            tail.observe(masked);
-            let weights = PowerSums::of(claim.mean.expected, masked);
-            masked.iter_mut().for_each(|w| *w *= *w);
-            (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
+            tail.iter_mut().for_each(|tail| tail.observe(masked));
+            PowerSums::of(claim.mean.expected, masked)
         };
         channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
     }
@@ -173,16 +171,16 @@ impl Counts {
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
         for (a, b) in self.tails.iter_mut().zip(&other.tails) {
-            a.merge(b);
+            if let (Some(a), Some(b)) = (a, b) {
+                a.merge(b);
+            }
         }
     }
 }
 
 impl Collected {
     fn new(plan: &Plan) -> Self {
-        let sums = |claim: &crate::plan::ChannelClaim| {
-            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
-        };
+        let sums = |claim: &crate::plan::ChannelClaim| PowerSums::new(claim.mean.expected);
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
@@ -202,9 +200,8 @@ impl Collected {
             self.running.note(a);
         }
         self.capitals.merge(&block.capitals);
-        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
+        for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
             weights.merge(w);
-            squares.merge(s);
         }
         self.draws += BLOCK as u64;
         self.seconds += block.seconds;
@@ -216,9 +213,8 @@ impl Collected {
             a.merge(b);
         }
         self.capitals.merge(&next.capitals);
-        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&next.channels) {
+        for (weights, w) in self.channels.iter_mut().zip(&next.channels) {
             weights.merge(w);
-            squares.merge(s);
         }
         self.counts.merge(next.counts);
         self.draws += next.draws;
@@ -229,9 +225,9 @@ impl Collected {
     /// Notes the Pareto shape of each column whose tail was kept.
     fn fit_tails(&mut self) {
         let Self { counts, mean, channels, .. } = self;
-        let columns = mean.iter_mut().chain(channels.iter_mut().map(|(weights, _)| weights));
+        let columns = mean.iter_mut().chain(channels.iter_mut());
         for (sums, tail) in columns.zip(&counts.tails) {
-            sums.shape = tail.shape(sums.n);
+            sums.shape = tail.as_ref().and_then(|tail| tail.shape(sums.n));
         }
     }
 }

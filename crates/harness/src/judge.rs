@@ -89,7 +89,7 @@ impl Judged {
         if let Some(sums) = &seen.mean {
             self.fact("finite", sums.non_finite, Reason::NonFinite, "draws are NaN or infinite");
         }
-        let spoilt: u64 = seen.channels.iter().map(|(weights, _)| weights.non_finite).sum();
+        let spoilt: u64 = seen.channels.iter().map(|weights| weights.non_finite).sum();
         self.fact("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite");
     }
 
@@ -145,18 +145,18 @@ impl Judged {
             self.evidence.push(test::mean("own_mean", sums, own, Reason::WrongLaw).0);
         }
         if let Some(moments) = &plan.moments {
-            self.evidence.push(test::second_moment(sums, moments, plan.truth.slack));
+            let [_, m2, _, m4, _, m6] = *moments;
+            self.evidence.push(test::second_moment("second_moment", sums, [m2, m4, m6], plan.truth.slack));
         }
     }
 
-    fn channel(&mut self, claim: &ChannelClaim, (weights, squares): &(PowerSums, PowerSums)) {
+    fn channel(&mut self, claim: &ChannelClaim, weights: &PowerSums) {
         let (evidence, interval) = test::mean(&claim.name, weights, &claim.mean, Reason::Biased);
         self.gate(weights, &claim.mean, &evidence, &interval, &claim.name);
         self.evidence.push(evidence);
-        if let Some(expected) = claim.second_moment {
-            let square = test::MeanClaim { expected, variance: None, ..claim.mean };
+        if let Some(moments) = claim.moments {
             let name = format!("second_moment_{}", claim.name);
-            self.evidence.push(test::mean(&name, squares, &square, Reason::WrongVariance).0);
+            self.evidence.push(test::second_moment(&name, weights, moments, claim.mean.slack));
         }
     }
 

@@ -73,11 +73,14 @@ impl Plan {
         plan
     }
 
-    /// Columns whose largest values are kept: those of no known range.
+    /// For the column `weight`, or for each chromatic claim: whether its largest values are kept, since neither a range nor a
+    /// moment by formula says that it has a variance.
     #[must_use]
-    pub fn tails(&self) -> usize {
-        let mean = self.mean.as_ref().filter(|mean| mean.truth.range.is_none());
-        mean.map_or(0, |_| 1) + self.channels.as_ref().map_or(0, |channels| channels.claims.len())
+    pub fn tails(&self) -> Vec<bool> {
+        let unknown = |claim: &MeanClaim| claim.range.is_none() && claim.variance.is_none();
+        let mean = self.mean.iter().map(|mean| unknown(&mean.truth));
+        let channels = self.channels.iter().flat_map(|channels| &channels.claims);
+        mean.chain(channels.map(|claim| claim.tail)).collect()
     }
 
     /// A subject in a scene that does not fit it: no claim.

@@ -179,7 +179,7 @@ fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> Me
 
 fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelResult> {
     let all = claims.iter().zip(seen.iter().flat_map(|seen| &seen.channels));
-    let one = |(claim, (sums, _)): (&ChannelClaim, &(PowerSums, PowerSums))| {
+    let one = |(claim, sums): (&ChannelClaim, &PowerSums)| {
         let event = match claim.event {
             Event::Scatter => "scatter",
             Event::Surface => "surface",

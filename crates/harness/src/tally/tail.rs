@@ -35,21 +35,29 @@ impl Tail {
     /// differ from the threshold.
     ///
     /// ```text
-    /// M = min(3 sqrt n, n / 5, 4096) largest |x|, less the next one
+    /// M = min(3 sqrt n, n / 5, 4096) largest |x|, less the next one;   and M / 2, M / 4, ..: the least shape of all
     /// ```
     ///
-    /// Vehtari, Simpson, Gelman, Yao and Gabry (2024); the fit is [`pareto_shape`].
+    /// Vehtari, Simpson, Gelman, Yao and Gabry (2024) take M alone; the fit is [`pareto_shape`]. Weights come in clusters,
+    /// one for each number of collisions: a threshold within one sees the next as a tail, a higher threshold does not. A
+    /// Pareto law has its shape above every threshold.
     #[must_use]
     pub fn shape(&self, n: u64) -> Option<f64> {
         let n = n as f64;
         let wanted = [3.0 * n.sqrt(), 0.2 * n].map(|m| m as usize).into_iter().fold(MOST, usize::min);
-        let largest = self.largest.sorted();
-        let threshold = -largest.get(wanted)?;
-        let mut excess: Vec<f64> = largest[..wanted].iter().map(|key| -key - threshold).collect();
-        excess.retain(|x| *x > 0.0);
-        excess.reverse();
-        if excess.len() < FEWEST { None } else { Some(pareto_shape(&excess)) }
+        let largest: Vec<f64> = self.largest.sorted().into_iter().map(f64::abs).collect();
+        let halves = std::iter::successors(Some(wanted), |m| Some(m / 2)).take_while(|m| *m >= FEWEST);
+        let least = |a: f64, b: f64| if a < b || a.is_nan() { a } else { b };
+        halves.filter_map(|m| above(&largest, m)).reduce(least)
     }
+}
+
+/// The shape of the first `m` of the decreasing values above the next one, unless too few are.
+fn above(largest: &[f64], m: usize) -> Option<f64> {
+    let threshold = largest.get(m)?;
+    let mut excess: Vec<f64> = largest[..m].iter().map(|x| x - threshold).filter(|x| *x > 0.0).collect();
+    excess.reverse();
+    if excess.len() < FEWEST { None } else { Some(pareto_shape(&excess)) }
 }
 
 #[cfg(test)]
@@ -75,6 +83,23 @@ mod tests {
         }
         assert!(shape(100_000, |u| -libm::log(u)) < Some(0.15), "exponential");
         assert!(shape(100_000, |u| 1.0 - u) < Some(-0.5), "uniform");
+    }
+
+    /// Ever rarer clusters, ever farther out, but not for ever.
+    #[test]
+    fn clusters_of_weights_are_no_tail() {
+        let weight = |u: f64| {
+            if u < 1e-3 {
+                10.0
+            } else if u < 0.1 {
+                3.0
+            } else {
+                1.0
+            }
+        };
+        assert!(shape(100_000, |u| weight(u) + 0.1 * u) < Some(0.25));
+        let narrow = |u: f64| if u < 2e-3 { 10.0 } else { 1.0 };
+        assert!(shape(1_000_000, |u| narrow(u) + 1e-3 * (1e4 * u).fract()) < Some(0.25));
     }
 
     #[test]

@@ -14,7 +14,7 @@ const LARGEST_VOV: f64 = 0.1;
 /// Why no interval that rests on the central limit theorem can be trusted, if any reason shows in the draws:
 ///
 /// - fewer than 100 draws differ from 0: `rare_event`;
-/// - the tail of |x|, if its range is not known, has a Pareto shape of 1/2 or more, so that there is no variance
+/// - the tail of |x|, if neither a range nor a formula says that there is a variance, has a Pareto shape of 1/2 or more, so that there is no variance
 ///   (Vehtari et al. 2024): `heavy_tail`;
 /// - one draw carries more than 1/20 of the sum of |x|, or the variance of the variance is 0.1 or more: `heavy_tail`.
 ///
