@@ -5,7 +5,7 @@ use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
 use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
+use crate::tally::{Batch, Batches, CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -49,6 +49,8 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
+    /// Variance and cost of the column `weight` by groups of blocks.
+    pub batches: Batches,
     /// What the bets of the plan gained.
     pub capitals: Capitals,
     /// Of the weights of each chromatic claim.
@@ -71,6 +73,7 @@ pub enum Stopped {
 /// The float sums of one block.
 struct BlockSums {
     mean: Option<PowerSums>,
+    lookups: u64,
     capitals: Capitals,
     channels: Vec<PowerSums>,
     seconds: f64,
@@ -109,7 +112,8 @@ impl Worker {
             tail.observe(&self.draws.weight);
         }
         let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
-        Ok(BlockSums { mean, capitals, channels: self.channels(plan), seconds: record.seconds, early })
+        let lookups = record.audit.lookups;
+        Ok(BlockSums { mean, lookups, capitals, channels: self.channels(plan), seconds: record.seconds, early })
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -185,6 +189,7 @@ impl Collected {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            batches: Batches::default(),
             capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
@@ -198,6 +203,8 @@ impl Collected {
         if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
             a.merge(b);
             self.running.note(a);
+            let (n, [sum, squares, ..], lookups) = (b.n as f64, b.sums, block.lookups as f64);
+            self.batches.observe(Batch { n, sum, squares, lookups });
         }
         self.capitals.merge(&block.capitals);
         for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
@@ -207,7 +214,7 @@ impl Collected {
         self.seconds += block.seconds;
     }
 
-    /// Takes in later draws; the running mean stays as it is.
+    /// Takes in later draws; the running mean and the batches stay as they are.
     pub fn merge(&mut self, next: Self) {
         if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
             a.merge(b);

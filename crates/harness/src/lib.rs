@@ -37,6 +37,7 @@ pub mod fault;
 pub mod judge;
 pub mod law;
 pub mod plan;
+pub mod ranking;
 pub mod real;
 pub mod results;
 pub mod run;

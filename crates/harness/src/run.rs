@@ -12,6 +12,7 @@ use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
+mod efficiency;
 mod expect;
 mod grow;
 mod media;
@@ -194,6 +195,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         draws: result.draws,
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
+    let rankings = efficiency::rankings(trials, &results);
     let results = Results {
         schema_version: SCHEMA_VERSION,
         version: env!("CARGO_PKG_VERSION").into(),
@@ -205,6 +207,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         repro: options.repro.clone(),
         media: cases.iter().map(media::result).collect(),
         results,
+        rankings,
     };
     Outcome { results, timings }
 }

@@ -1,5 +1,6 @@
 //! The result of one subject.
 
+use super::efficiency::efficiency;
 use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
@@ -9,7 +10,7 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
 use crate::special::{clopper_pearson, normal_quantile};
@@ -65,7 +66,7 @@ pub(super) fn result(
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
-        efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
+        efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
 }
@@ -223,34 +224,6 @@ fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawRe
             high: Real(high),
         },
         grown: grown.cloned(),
-    }
-}
-
-/// Relative variance with a 95 % interval from the kurtosis: var(ln V) = (kurtosis - 1) / n.
-fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
-    let (n, t) = (sums.n as f64, plan.truth.expected);
-    let bias = plan.design_bias();
-    let variance = (sums.variance() + bias * bias) / (t * t);
-    let spread = ((sums.kurtosis() - 1.0) / n).sqrt();
-    // draws that are all 0 because none has hit are not exact
-    let exact = plan.own.is_none() && sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
-    let refusal = match () {
-        () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
-        () if exact => "zero variance: exact",
-        () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
-            "dominated by rare events"
-        }
-        () if !(spread <= 0.1) => "the fourth moment is too large for an interval",
-        () => "",
-    };
-    let factor = libm::exp(1.96 * spread);
-    Efficiency {
-        relative_variance: Real(variance),
-        low: Real(variance / factor),
-        high: Real(variance * factor),
-        exact,
-        ranked: refusal.is_empty(),
-        refusal: refusal.into(),
     }
 }
 
