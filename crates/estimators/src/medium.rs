@@ -25,6 +25,9 @@ mod view;
 pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
 pub use numeric::{Numeric, numeric};
+pub use reversed::reversed;
+pub use scaled::scaled;
+pub use segment::segment;
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
