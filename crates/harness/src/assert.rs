@@ -114,6 +114,7 @@ impl Trial {
             Work::FreePath(_) | Work::Exact => "the sampler does not follow the free-path law",
             Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
             Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
+            Work::Samples(..) => "the samples are wrong",
         };
         let how = if subject.route == Route::Block { "drawn in blocks" } else { "drawn one by one" };
         let mut text = format!("{what}: {} ({how}, at {caller})\n", decision.verdict);

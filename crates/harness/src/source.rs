@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
 mod npy;
+pub mod samples;
 
 /// A file that cannot be used: which, why, and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]

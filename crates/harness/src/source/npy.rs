@@ -4,7 +4,7 @@ mod header;
 
 use super::Refusal;
 use freepath_estimators::medium::Volume;
-use header::{Header, Number};
+pub(super) use header::{Header, Number};
 use std::io::{BufReader, Read};
 
 /// The most voxels of a volume.
