@@ -24,7 +24,7 @@ pub use faults::Faults;
 pub use name::hash;
 pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
-pub use subject::{ClosedForm, Exact, ChromaticSubject, FreePathSubject, TransmittanceSubject};
+pub use subject::{ChromaticSubject, ClosedForm, Exact, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;

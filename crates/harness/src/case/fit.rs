@@ -81,8 +81,7 @@ impl CaseFile {
         seen: Option<&dyn Medium>,
     ) -> Result<(), CaseError> {
         let (kind, estimator) = spec.kind();
-        let refused =
-            |why: ParameterError| self.refuse(&format!("{at}.{kind}.{estimator}.{}", why.name()), why);
+        let refused = |why: ParameterError| self.refuse(&format!("{at}.{kind}.{estimator}.{}", why.name()), why);
         match (work, world, seen) {
             (Work::Chromatic(sampler), World::Chromatic(medium), _) => {
                 sampler.accepts(&medium.channels()).map_err(refused)

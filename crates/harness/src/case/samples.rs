@@ -150,7 +150,9 @@ impl CaseFile {
         let Some(samples) = spec.samples() else { return Ok(None) };
         let rays = self.case.rays.len();
         if rays > 1 && self.checked.flatten().is_none() {
-            let why = format!("samples belong to one ray, and the case has {rays} (state one, or make it a case of its own)");
+            let why = format!(
+                "samples belong to one ray, and the case has {rays} (state one, or make it a case of its own)"
+            );
             return Err(self.refuse(at, why));
         }
         if spec.fault.is_some() {

@@ -15,9 +15,9 @@ mod binary;
 mod inspect;
 mod meaning;
 mod table;
-mod text;
 #[cfg(test)]
 mod tests;
+mod text;
 
 /// The tolerance that single precision implies: one rounding, relative.
 pub const SINGLE_TOLERANCE: f64 = 6e-8;

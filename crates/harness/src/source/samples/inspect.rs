@@ -1,7 +1,8 @@
 //! What is known of a file before its draws are judged: how it is written, which columns are wanted, how many rows it has.
 
-use super::super::npy::{Header, Number};
+use super::super::npy::Header;
 use super::super::open_regular;
+use super::super::stored::Number;
 use super::binary::{Binary, Cell};
 use super::meaning::Meaning;
 use super::text::Text;
@@ -65,7 +66,8 @@ impl Layout {
 pub(super) fn open(path: Option<&Path>, request: &Request) -> Result<SampleFile, Refusal> {
     let format = format(path, request)?;
     let Some(path) = path else {
-        let rows = request.draws.ok_or_else(|| Refusal::new("the number of draws is not known", "state `--draws`"))?;
+        let rows =
+            request.draws.ok_or_else(|| Refusal::new("the number of draws is not known", "state `--draws`"))?;
         let begun = begin(Box::new(std::io::stdin()), format, request)?;
         enough(begun.rows.unwrap_or(rows), rows)?;
         return Ok(begun.file(None, request, rows, 0));
@@ -103,7 +105,8 @@ fn format(path: Option<&Path>, request: &Request) -> Result<Format, Refusal> {
         Some(Some("txt")) => Some(Format::Txt),
         Some(_) => None,
     };
-    let unknown = || Refusal::new("its name does not tell its format", ".npy, .csv, .txt or .f64, or a stated `format`");
+    let unknown =
+        || Refusal::new("its name does not tell its format", ".npy, .csv, .txt or .f64, or a stated `format`");
     request.format.or(told).ok_or_else(unknown)
 }
 
@@ -169,7 +172,10 @@ fn npy(header: &Header, request: &Request) -> Result<(Layout, Option<u64>), Refu
 fn whole(rows: Option<u64>, held: u64, row: u64) -> Result<u64, Refusal> {
     match rows {
         None if held.is_multiple_of(row) => Ok(held / row),
-        None => Err(Refusal::new(format!("its {held} bytes are no whole number of rows"), format!("rows of {row} bytes"))),
+        None => Err(Refusal::new(
+            format!("its {held} bytes are no whole number of rows"),
+            format!("rows of {row} bytes"),
+        )),
         Some(rows) if rows.checked_mul(row) == Some(held) => Ok(rows),
         Some(rows) => {
             let cause = format!("it holds {held} bytes of values where its shape needs {rows} times {row}");
@@ -221,7 +227,8 @@ fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal>
 
 /// The columns t, event, w0, w1 and so on: by name, or else in this order.
 fn chromatic(names: &[String], across: usize, channels: usize) -> Result<Vec<usize>, Refusal> {
-    let due: Vec<_> = ["t".to_string(), "event".into()].into_iter().chain((0..channels).map(|k| format!("w{k}"))).collect();
+    let due: Vec<_> =
+        ["t".to_string(), "event".into()].into_iter().chain((0..channels).map(|k| format!("w{k}"))).collect();
     let allowed = format!("t, event, w0 to w{}", channels.saturating_sub(1));
     if names.is_empty() {
         return match across == due.len() {
@@ -230,7 +237,10 @@ fn chromatic(names: &[String], across: usize, channels: usize) -> Result<Vec<usi
         };
     }
     if names.iter().any(|name| *name == format!("w{channels}")) {
-        return Err(Refusal::new(format!("it has more weights than the {channels} channels of the medium"), allowed));
+        return Err(Refusal::new(
+            format!("it has more weights than the {channels} channels of the medium"),
+            allowed,
+        ));
     }
     let of = |name: &String| {
         let missing = || Refusal::new(format!("it has no column {name:?}"), allowed.clone());

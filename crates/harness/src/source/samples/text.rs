@@ -127,11 +127,12 @@ impl Text {
         loop {
             let input = self.input.fill_buf()?;
             let Row { bytes: to, ends: stops, .. } = &mut self.row;
-            let (result, read, wrote, ended) =
-                self.csv.read_record(input, &mut to[bytes..], &mut stops[ends..]);
+            let (result, read, wrote, ended) = self.csv.read_record(input, &mut to[bytes..], &mut stops[ends..]);
             self.input.consume(read);
             (bytes, ends) = (bytes + wrote, ends + ended);
-            let too_large = |what: &str, most| Err(Refusal::new(format!("a row has too many {what}"), format!("at most {most}")));
+            let too_large = |what: &str, most| {
+                Err(Refusal::new(format!("a row has too many {what}"), format!("at most {most}")))
+            };
             match result {
                 ReadRecordResult::InputEmpty => {}
                 ReadRecordResult::OutputFull => return too_large("bytes", MOST_BYTES),
