@@ -92,7 +92,7 @@ pub enum BiasBound {
 }
 
 /// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [{"required": ["free_path"]}, {"required": ["transmittance"]}, {"required": ["chromatic"]}]))]
 pub struct Subject {
