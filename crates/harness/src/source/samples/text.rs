@@ -128,6 +128,7 @@ impl Text {
             let input = self.input.fill_buf()?;
             let Row { bytes: to, ends: stops, .. } = &mut self.row;
             let (result, read, wrote, ended) = self.csv.read_record(input, &mut to[bytes..], &mut stops[ends..]);
+            let newline = read > 0 && input[read - 1] == b'\n';
             self.input.consume(read);
             (bytes, ends) = (bytes + wrote, ends + ended);
             let too_large = |what: &str, most| {
@@ -139,7 +140,8 @@ impl Text {
                 ReadRecordResult::OutputEndsFull => return too_large("columns", MOST_COLUMNS),
                 ReadRecordResult::End => return Ok(false),
                 ReadRecordResult::Record => {
-                    (self.row.fields, self.row.line) = (ends, self.csv.line());
+                    self.row.line = self.csv.line() - u64::from(newline); // a carriage return ends a row, too
+                    self.row.fields = ends;
                     return Ok(true);
                 }
             }
@@ -173,7 +175,7 @@ impl Table for Text {
                 let cause = format!("line {line} has another number of columns, {fields}");
                 return Err(Refusal::new(cause, format!("{} as in the first line", self.across)));
             }
-            for (k, column) in columns.iter_mut().enumerate() {
+            for (k, column) in columns.iter_mut().enumerate().take(self.wanted.len()) {
                 column[i] = self.value(k)?;
             }
         }
