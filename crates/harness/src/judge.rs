@@ -91,6 +91,9 @@ impl Judged {
         }
         let spoilt: u64 = seen.channels.iter().map(|(weights, _)| weights.non_finite).sum();
         self.fact("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite");
+        let [nan, outside] = seen.counts.strays;
+        self.fact("finite", nan, Reason::NonFinite, "draws are NaN");
+        self.fact("support", outside, Reason::OutOfSupport, "draws lie outside the ray");
     }
 
     fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {

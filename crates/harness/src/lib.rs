@@ -44,6 +44,7 @@ pub mod results;
 pub mod run;
 pub mod sample;
 pub mod scripted;
+pub mod samples;
 pub mod source;
 pub mod special;
 pub mod subject;

@@ -67,6 +67,14 @@ struct Trial<'a> {
     seconds: f64,
 }
 
+impl Trial<'_> {
+    /// Whether there is a second stage: for a suspect, and where its draws are made already.
+    fn goes_on(&self) -> bool {
+        let read = self.first.collected.is_some() && self.subject.work.finished();
+        read || suspect(&self.first.judged)
+    }
+}
+
 /// What stage 1 gave.
 struct Stage1 {
     judged: Judged,
@@ -85,9 +93,10 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
             trials.push(stage_one(case, prepared, options)?);
         }
     }
-    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
+    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
-        let draws = 2 * whole(trial.subject.draws);
+        let draws = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+        let draws = draws.unwrap_or(2 * whole(trial.subject.draws));
         (options.progress)(Progress::Planned(draws), &trial.prepared.name);
     }
     for trial in &mut suspects {
@@ -101,7 +110,8 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+        let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
+        (options.progress)(Progress::Planned(draws), &prepared.name);
     }
 }
 
