@@ -125,7 +125,7 @@ impl Judged {
         }
     }
 
-    /// The tests of one law: escape atom, chi-square at three scales, Kolmogorov-Smirnov.
+    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs.
     fn follows(&mut self, prefix: &str, law: &Law, cells: &CellTally, reason: Reason) {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
@@ -135,6 +135,9 @@ impl Judged {
             test::chi_square("chi_square_64", law, cells, 64, reason),
             test::chi_square("chi_square_fine", law, cells, fine, reason),
             test::kolmogorov(law, cells, reason),
+            test::anderson_darling(law, cells, reason),
+            test::cramer_von_mises(law, cells, reason),
+            test::kuiper(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));
