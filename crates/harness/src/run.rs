@@ -5,6 +5,7 @@ use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
 use crate::evidence::REPORTING_LEVEL;
 use crate::judge::{Judged, judge};
+use crate::noiseless;
 use crate::plan::Plan;
 use crate::real::Real;
 use crate::results::{Grown, Results, SCHEMA_VERSION, SubjectTiming};
@@ -20,6 +21,7 @@ mod series;
 mod subjects;
 
 pub use expect::expected;
+pub use media::medium_result;
 pub use subjects::{id, quoted};
 
 /// What a run needs to know beside its cases.
@@ -66,6 +68,14 @@ struct Trial<'a> {
     seconds: f64,
 }
 
+impl Trial<'_> {
+    /// Whether there is a second stage: for a suspect, and where its draws are made already.
+    fn goes_on(&self) -> bool {
+        let read = self.first.collected.is_some() && self.subject.work.finished();
+        read || suspect(&self.first.judged)
+    }
+}
+
 /// What stage 1 gave.
 struct Stage1 {
     judged: Judged,
@@ -85,9 +95,10 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
             trials.push(stage_one(case, prepared, options)?);
         }
     }
-    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
+    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
-        let draws = 2 * whole(trial.subject.draws);
+        let draws = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+        let draws = draws.unwrap_or(2 * whole(trial.subject.draws));
         (options.progress)(Progress::Planned(draws), &trial.prepared.name);
     }
     for trial in &mut suspects {
@@ -101,7 +112,8 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+        let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
+        (options.progress)(Progress::Planned(draws), &prepared.name);
     }
 }
 
@@ -142,6 +154,7 @@ fn first_stage(
         }
     };
     let mut judged = judge(subject, plan, &collected);
+    judged.facts.extend(noiseless::facts(subject, plan, options.seed));
     let growth = grow::Growth {
         seed: options.seed,
         watch,
@@ -205,7 +218,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         reporting_level: Real(REPORTING_LEVEL),
         p_values: [count(&adjusted[0]), count(&adjusted[1])],
         repro: options.repro.clone(),
-        media: cases.iter().map(media::result).collect(),
+        media: cases.iter().map(medium_result).collect(),
         results,
         rankings,
     };

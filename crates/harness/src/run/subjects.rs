@@ -13,6 +13,7 @@ use crate::results::{
     Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
+use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, larger, mean};
@@ -56,6 +57,7 @@ pub(super) fn result(
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
+        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
         law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
@@ -108,7 +110,11 @@ pub fn quoted(text: &str) -> String {
 }
 
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let flags = options.repro.rfind(" --seed ").map_or("", |at| &options.repro[at..]);
+    let flags = match options.repro.rfind(" --seed ") {
+        Some(at) => &options.repro[at..],
+        None if options.repro.is_empty() => "",
+        None => return options.repro.clone(), // nothing is drawn: the command is about this subject alone
+    };
     format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
