@@ -28,14 +28,13 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let (expected, by_design, as_expected) =
-        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
-    let id = id(case, prepared);
+    let (expected, by_design, as_expected) = expectation(trial, &decision);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    let [draws, draws_stage2, draws_left] = draws(trial);
     SubjectResult {
-        repro: repro(case, &id, options),
-        id,
+        repro: repro(case, &id(case, prepared), options),
+        id: id(case, prepared),
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
@@ -52,14 +51,14 @@ pub(super) fn result(
         as_expected,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         draws_requested: prepared.draws,
-        draws: seen.map_or(0, |seen| seen.draws),
-        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
-        draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
+        draws,
+        draws_left,
+        draws_stage2,
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
         law: cells.map(|(plan, cells)| law_result(plan, cells)),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
+        tests: stages(first, second).flat_map(tests).collect(),
+        facts: stages(first, second).flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
@@ -67,6 +66,22 @@ pub(super) fn result(
         efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
         order: order(trial),
     }
+}
+
+fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+    let Trial { prepared, plan, .. } = trial;
+    expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
+}
+
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
+}
+
+/// Draws of stage 1 and of stage 2, and those of a file that were not judged.
+fn draws(trial: &Trial) -> [u64; 3] {
+    let first = trial.first.collected.as_ref().map_or(0, |seen| seen.draws);
+    let second = trial.second.as_ref().map_or(0, |(_, draws)| *draws);
+    [first, second, trial.prepared.source.as_ref().map_or(0, SampleFile::left)]
 }
 
 /// The series of a law.
