@@ -4,10 +4,12 @@ use crate::real::Real;
 use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
+mod grown;
 mod law;
 mod mean;
 mod medium;
 
+pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};

@@ -1,5 +1,6 @@
 //! The result of one subject.
 
+use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
@@ -8,7 +9,7 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, FactResult, LawResult, MeanResult, OrderResult, Series,
+    Atom, AuditResult, ChannelResult, Efficiency, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
 use crate::source::samples::SampleFile;
@@ -29,9 +30,9 @@ pub(super) fn result(
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
+    let grown = grown(trial, first, second);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
-    let [draws, draws_stage2, draws_left] = draws(trial);
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -51,11 +52,11 @@ pub(super) fn result(
         as_expected,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         draws_requested: prepared.draws,
-        draws,
-        draws_left,
-        draws_stage2,
-        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
-        law: cells.map(|(plan, cells)| law_result(plan, cells)),
+        draws: seen.map_or(0, |seen| seen.draws),
+        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
+        draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
+        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
+        law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: stages(first, second).flat_map(tests).collect(),
         facts: stages(first, second).flat_map(facts).collect(),
@@ -73,15 +74,15 @@ fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
     expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
 }
 
-fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
-    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
+/// How growth ended, after the decision.
+fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
+    let rejections = stages(first, second).flat_map(tests);
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    trial.first.grown.clone().map(|grown| settled(grown, rejections))
 }
 
-/// Draws of stage 1 and of stage 2, and those of a file that were not judged.
-fn draws(trial: &Trial) -> [u64; 3] {
-    let first = trial.first.collected.as_ref().map_or(0, |seen| seen.draws);
-    let second = trial.second.as_ref().map_or(0, |(_, draws)| *draws);
-    [first, second, trial.prepared.source.as_ref().map_or(0, SampleFile::left)]
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// The series of a law.
@@ -167,9 +168,14 @@ fn audit(seen: &Collected) -> AuditResult {
     }
 }
 
-fn mean_result(plan: &MeanPlan, sums: &PowerSums) -> MeanResult {
+fn mean_result(plan: &MeanPlan, sums: &PowerSums, grown: Option<&Grown>) -> MeanResult {
     let (_, interval) = mean("mean", sums, &plan.truth, Reason::Biased);
-    MeanResult { own: plan.own.map(|own| Real(own.expected)), ..with_interval(&plan.truth, sums, &interval) }
+    MeanResult {
+        own: plan.own.map(|own| Real(own.expected)),
+        bound: grown.map_or(Real(interval.bound()), |grown| grown.bound),
+        grown: grown.cloned(),
+        ..with_interval(&plan.truth, sums, &interval)
+    }
 }
 
 fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
@@ -186,12 +192,13 @@ fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> Me
         variance_expected: claim.variance.map(Real),
         skewness: Real(sums.skewness()),
         method: interval.method.name().into(),
+        grown: None,
     }
 }
 
 fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelResult> {
     let all = claims.iter().zip(seen.iter().flat_map(|seen| &seen.channels));
-    let one = |(claim, (sums, _)): (&ChannelClaim, &(PowerSums, PowerSums))| {
+    let one = |(claim, sums): (&ChannelClaim, &PowerSums)| {
         let event = match claim.event {
             Event::Scatter => "scatter",
             Event::Surface => "surface",
@@ -205,7 +212,7 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
 }
 
 /// sup |F_n - F| over the edges of the cells, and over all t at the most.
-fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
+pub(super) fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     let n = tally.draws() as f64;
     let (mut below, mut edges, mut all) = (0, 0.0, 0.0);
     for (k, count) in tally.cells.iter().enumerate() {
@@ -218,7 +225,7 @@ fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     (edges, all)
 }
 
-fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
+fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawResult {
     let (n, law) = (tally.draws(), &plan.truth);
     let (distance, hidden) = distances(law, tally);
     let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
@@ -226,7 +233,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
     let band = series::band(n);
     LawResult {
         distance: Real(distance),
-        bound: Real(hidden + band),
+        bound: grown.map_or(Real(hidden + band), |grown| grown.bound),
         detectable: Real(band + power),
         atom: Atom {
             expected: Real(law.atom()),
@@ -234,6 +241,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
             low: Real(low),
             high: Real(high),
         },
+        grown: grown.cloned(),
     }
 }
 
