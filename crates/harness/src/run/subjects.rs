@@ -29,17 +29,13 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let (expected, by_design, as_expected) =
-        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
-    let id = id(case, prepared);
-    let rejections = [Some(first), second].into_iter().flatten().flat_map(|stage| tests((1, stage)));
-    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
-    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections));
+    let (expected, by_design, as_expected) = expectation(trial, &decision);
+    let grown = grown(trial, first, second);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
-        repro: repro(case, &id, options),
-        id,
+        repro: repro(case, &id(case, prepared), options),
+        id: id(case, prepared),
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
@@ -62,8 +58,8 @@ pub(super) fn result(
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
         law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
+        tests: stages(first, second).flat_map(tests).collect(),
+        facts: stages(first, second).flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
@@ -71,6 +67,22 @@ pub(super) fn result(
         efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
+}
+
+fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+    let Trial { prepared, plan, .. } = trial;
+    expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
+}
+
+/// How growth ended, after the decision.
+fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
+    let rejections = stages(first, second).flat_map(tests);
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    trial.first.grown.clone().map(|grown| settled(grown, rejections))
+}
+
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// The series of a law.
