@@ -41,6 +41,7 @@ pub mod real;
 pub mod results;
 pub mod run;
 pub mod sample;
+pub mod soak;
 pub mod source;
 pub mod special;
 pub mod subject;

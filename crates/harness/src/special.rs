@@ -21,7 +21,7 @@ mod student_t;
 pub use binomial::{binomial_cdf, binomial_sf, binomial_two_sided};
 pub use chi_square::chi_square_sf;
 pub use clopper_pearson::clopper_pearson;
-pub use kolmogorov::ks_two_sided;
+pub use kolmogorov::{ks_one_sided, ks_two_sided};
 pub use normal::{normal_quantile, normal_sf, normal_two_sided};
 pub use pearson::pearson_two_sided;
 pub use poisson::{poisson_cdf, poisson_sf, poisson_two_sided};

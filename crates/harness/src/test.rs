@@ -3,6 +3,7 @@
 mod atom;
 mod chi_square;
 mod coleman;
+mod family;
 mod kolmogorov;
 mod lag;
 mod lookups;
@@ -14,6 +15,7 @@ mod ties;
 pub use atom::atom;
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
+pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
 pub use lag::lag;
