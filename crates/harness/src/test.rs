@@ -13,7 +13,7 @@ mod second_moment;
 mod ties;
 
 pub use atom::atom;
-pub use chi_square::{chi_square, residuals};
+pub use chi_square::{chi_square, least_expected, residuals};
 pub use coleman::coleman;
 pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
