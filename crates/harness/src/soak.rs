@@ -1,7 +1,7 @@
 //! Many runs of right subjects on fresh seeds: how often they raise a false alarm, and how their p-values are distributed.
 //!
 //! Each run is judged as [`run`](crate::run::run) judges: stage 1, Holm over all its p-values, fresh draws for every suspect.
-//! Without growth: it adds no p-value.
+//! Without what does not tell of chance: the checks without noise, and growth, whose p-value is a bound at every number of draws.
 
 use crate::case::Prepared;
 use crate::run::{Cancelled, Progress};
