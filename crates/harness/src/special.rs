@@ -7,6 +7,7 @@
 
 mod alternating;
 mod anderson_darling;
+mod berk_jones;
 mod binomial;
 mod chi_square;
 mod clopper_pearson;
@@ -23,6 +24,7 @@ mod saddle_point;
 mod student_t;
 
 pub use anderson_darling::anderson_darling_sf;
+pub use berk_jones::{berk_jones_bound, berk_jones_sf, likelihood_ratio};
 pub use binomial::{binomial_cdf, binomial_sf, binomial_two_sided};
 pub use chi_square::chi_square_sf;
 pub use clopper_pearson::clopper_pearson;

@@ -2,6 +2,7 @@
 
 mod anderson_darling;
 mod atom;
+mod berk_jones;
 mod chi_square;
 mod coleman;
 mod cramer_von_mises;
@@ -17,6 +18,7 @@ mod ties;
 
 pub use anderson_darling::anderson_darling;
 pub use atom::atom;
+pub use berk_jones::{BerkJones, berk_jones};
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
@@ -41,6 +43,7 @@ pub const NAMES: &[(&str, &str)] = &[
     ("anderson_darling", anderson_darling::WORDS),
     ("cramer_von_mises", cramer_von_mises::WORDS),
     ("kuiper", kuiper::WORDS),
+    ("berk_jones", berk_jones::WORDS),
     ("coleman", coleman::WORDS),
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),
