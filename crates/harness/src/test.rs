@@ -1,11 +1,14 @@
 //! The tests: tallies in, [`Evidence`](crate::evidence::Evidence) out. One test per file.
 
+use crate::{identities, scripted};
+
 mod anderson_darling;
 mod atom;
 mod berk_jones;
 mod chi_square;
 mod coleman;
 mod cramer_von_mises;
+mod doubt;
 mod grouped;
 mod kolmogorov;
 mod kuiper;
@@ -18,20 +21,42 @@ mod ties;
 
 pub use anderson_darling::anderson_darling;
 pub use atom::atom;
+pub(crate) use atom::nearest;
 pub use berk_jones::{BerkJones, berk_jones};
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
+pub use doubt::doubt;
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
 pub use kuiper::kuiper;
 pub use lag::lag;
 pub use lookups::{BlockLookups, lookups};
-pub(crate) use mean::bernstein_width;
-pub use mean::{Interval, MeanClaim, Method, mean};
+pub(crate) use mean::within;
+pub use mean::{Interval, MeanClaim, Method, interval_at, mean, open};
 pub use poisson_count::poisson_count;
 pub use second_moment::second_moment;
 pub use ties::{pair_probability, ties};
+
+/// Each check that finds facts, by name, with what it looks at: no p-value, and one fact fails.
+pub const CHECKS: &[(&str, &str)] = &[
+    ("subject", "A fact: the subject stopped, panicked, ran past its budget or spoilt its block of draws."),
+    ("audit", "A fact: a look-up above the majorant of a subject that relies on the bound, or outside the ray."),
+    ("finite", "A fact: a draw is NaN, or infinite where it may not be."),
+    ("support", "A fact: a distance lies outside the ray."),
+    ("vacuum", "A fact: a collision lies where mu is 0."),
+    ("unit_weight", "A fact: a draw of a free path has a weight other than 1."),
+    (scripted::CHECK, scripted::WORDS),
+    identities::CHECKS[0],
+    identities::CHECKS[1],
+    identities::CHECKS[2],
+    identities::CHECKS[3],
+    identities::CHECKS[4],
+    identities::CHECKS[5],
+    identities::CHECKS[6],
+    identities::CHECKS[7],
+    identities::CHECKS[8],
+];
 
 /// Each test by name, with what it looks at.
 pub const NAMES: &[(&str, &str)] = &[
@@ -49,6 +74,10 @@ pub const NAMES: &[(&str, &str)] = &[
     ("ties", ties::WORDS),
     ("lag_1", lag::WORDS),
     ("mean", mean::WORDS),
+    (
+        "growth",
+        "While draws double towards a `bias_bound`: the mean or the law against its truth, at all numbers of draws at once (bets, empirical Bernstein and beta-binomial mixtures, or Dvoretzky-Kiefer-Wolfowitz at each look).",
+    ),
     ("second_moment", second_moment::WORDS),
     ("lookups", lookups::WORDS),
     (

@@ -8,6 +8,7 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
     let used = match body {
         Value::Null => json!(name),
         _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
+        _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         body => json!({ name: value(schema, name, body) }),
     };
     match kind {

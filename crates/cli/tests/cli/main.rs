@@ -1,7 +1,9 @@
 //! The binary from outside: what it takes, what it prints, what it writes, and its exit codes.
 
 mod input;
+mod medium;
 mod output;
 mod reference;
+mod samples;
 mod signals;
 mod support;

@@ -1,6 +1,6 @@
 use super::{CaseError, Ray};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{Surroundings, Volume};
+use freepath_estimators::medium::{Raw, Surroundings, Volume, VolumeRequest};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,7 +19,7 @@ pub(super) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
 }
 
 /// The volumes read so far: a file is read once for all its rays and cases.
-pub(super) type Volumes = Mutex<HashMap<PathBuf, Arc<Volume>>>;
+pub(super) type Volumes = Mutex<HashMap<(PathBuf, usize, Option<Raw>), Arc<Volume>>>;
 
 /// The folder of a case file, and one of its rays.
 pub(super) struct Place<'a> {
@@ -31,12 +31,14 @@ pub(super) struct Place<'a> {
 
 impl Place<'_> {
     /// `file` in the case's folder; a path that leaves the folder needs permission.
-    fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
+    pub(super) fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
         let inside =
             Path::new(file).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
         let path = self.folder.join(file);
-        let real = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        let stays = inside && real(&path).starts_with(real(self.folder));
+        let here = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
+        let within = |path: PathBuf| std::fs::canonicalize(here).is_ok_and(|folder| path.starts_with(folder));
+        // One that is not there leads nowhere, and whoever opens it says so.
+        let stays = inside && std::fs::canonicalize(&path).map_or(true, within);
         if stays || self.allow_paths {
             return Ok(path);
         }
@@ -46,15 +48,17 @@ impl Place<'_> {
 }
 
 impl Surroundings for Place<'_> {
-    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError> {
-        let path = self.resolve(file)?;
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        let path = self.resolve(wanted.file)?;
+        let key = (path.clone(), wanted.channel, wanted.raw.copied());
         let mut volumes = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(volume) = volumes.get(&path) {
+        if let Some(volume) = volumes.get(&key) {
             return Ok(volume.clone());
         }
-        let volume = crate::source::read_volume(&path).map_err(|why| ParameterError::unusable("file", why))?;
+        let volume =
+            crate::source::read_volume(&path, wanted).map_err(|why| ParameterError::unusable("file", why))?;
         let volume = Arc::new(volume);
-        volumes.insert(path, volume.clone());
+        volumes.insert(key, volume.clone());
         Ok(volume)
     }
 
