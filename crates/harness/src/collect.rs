@@ -2,16 +2,23 @@
 
 use crate::audit::Audit;
 use crate::plan::Plan;
-use crate::sample::{columns, sample_block, sample_in_parts};
-use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, LagTally, MarkTally, NullTally, PowerSums, Running, TieTally};
+use crate::sample::{columns, sample_block};
+use crate::sequence::Capitals;
+use crate::subject::{BLOCK, Subject, Work};
+use crate::tally::{
+    Batch, Batches, CellTally, CountTally, Extremes, LagTally, PowerSums, Running, Tail, TieTally,
+};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
-use std::cell::RefCell;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
+
+mod joint;
+mod samples;
+
+pub use joint::Joint;
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
@@ -19,34 +26,31 @@ const WAVE: u64 = 256;
 /// Blocks at the start of a range in which all ties are counted and all look-ups placed.
 const FIRST_BLOCKS: u64 = 4;
 
-/// Sets the streams of a ray in two parts apart from those of the whole.
-const IN_PARTS: u64 = 0x9e37_79b9_7f4a_7c15;
-
 /// What a worker counts: integers, which merge in any order.
 #[derive(Clone, Debug, Default)]
 pub struct Counts {
     /// Free paths by cell.
     pub cells: Option<CellTally>,
+    /// The free paths nearest to either end.
+    pub ends: Option<Box<Extremes>>,
     /// Tentative collisions.
     pub collisions: Option<CountTally>,
     /// Neighbouring draws.
     pub lag: LagTally,
     /// Equal draws.
     pub ties: TieTally,
-    /// Tentative and real collisions of the first blocks, where those are claimed.
-    pub nulls: Option<NullTally>,
-    /// Free paths of the ray in two parts, by cell.
-    pub series: Option<CellTally>,
-    /// Look-ups beyond its part of the ray.
-    pub beyond: u64,
-    /// Marks by group of distance.
-    pub marks: Option<MarkTally>,
+    /// What goes with the distances.
+    pub joint: Joint,
     /// Free paths whose weight is not 1.
     pub weighted: u64,
+    /// Distances that are NaN, and those outside the ray, where no law counts them.
+    pub strays: [u64; 2],
     /// Look-ups by block.
     pub lookups: BlockLookups,
     /// Look-ups, all told.
     pub audit: Audit,
+    /// Of the column `weight`, or of each chromatic claim: the largest, where their range is not known.
+    pub tails: Vec<Option<Tail>>,
 }
 
 /// Everything that was folded from a range of blocks.
@@ -58,8 +62,12 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
-    /// Of each chromatic claim: weights, and their squares.
-    pub channels: Vec<(PowerSums, PowerSums)>,
+    /// Variance and cost of the column `weight` by groups of blocks.
+    pub batches: Batches,
+    /// What the bets of the plan gained.
+    pub capitals: Capitals,
+    /// Of the weights of each chromatic claim.
+    pub channels: Vec<PowerSums>,
     /// Draws taken.
     pub draws: u64,
     /// Seconds of sampling, summed over threads.
@@ -77,8 +85,14 @@ pub enum Stopped {
 
 /// The float sums of one block.
 struct BlockSums {
+    /// The block's number.
+    block: u64,
+    rows: u64,
     mean: Option<PowerSums>,
-    channels: Vec<(PowerSums, PowerSums)>,
+    /// None of draws that come from a file.
+    lookups: u64,
+    capitals: Capitals,
+    channels: Vec<PowerSums>,
     seconds: f64,
     /// For the first block: sums over its first draws.
     early: Vec<PowerSums>,
@@ -95,13 +109,12 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
+        let ends = plan.law.as_ref().map(|law| Box::new(Extremes::new(law.truth.length())));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let law = plan.law.as_ref();
-        let nulls = law.filter(|law| law.coleman && plan.bounded).map(|law| NullTally::new(&law.truth));
-        let series = law.filter(|law| law.cut.is_some()).map(|law| CellTally::new(&law.truth));
-        let marks = law.filter(|law| law.marked).map(|_| MarkTally::default());
-        let counts = Counts { cells, collisions, nulls, series, marks, ..Counts::default() };
+        let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
+        let joint = Joint::new(plan);
+        let counts = Counts { cells, ends, collisions, joint, tails, ..Counts::default() };
         Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
 
@@ -109,52 +122,51 @@ impl Worker {
     fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
         let (row, first) = (key.block * BLOCK as u64, nth < FIRST_BLOCKS);
         if nth == 0 {
-            self.in_parts(subject, plan, key)?;
+            self.counts.joint.in_parts(subject, plan, key, &mut self.draws, &mut self.index)?;
         }
-        let watch = self.counts.nulls.take_if(|_| first).map(RefCell::new);
+        let watch = self.counts.joint.watch(first);
         let record = sample_block(subject, key, row, &mut self.draws, watch.as_ref())?;
-        let watched = watch.map(RefCell::into_inner);
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        self.count(plan, first);
-        if let Some(mut nulls) = watched {
-            nulls.draws(&self.index);
-            self.counts.nulls = Some(nulls);
-        }
-        let early = if row == 0 { self.early(plan) } else { Vec::new() };
-        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+        let sums = self.tally(plan, key.block, first, record.seconds);
+        self.counts.joint.watched(watch, &self.index);
+        Ok(BlockSums { lookups: record.audit.lookups, ..sums })
     }
 
-    /// A block of free paths of the ray in two parts, on streams of its own.
-    fn in_parts(&mut self, subject: &Subject, plan: &Plan, key: Key) -> Result<(), String> {
-        let Self { draws, index, counts, .. } = self;
-        if let (Some(law), Some(series)) = (&plan.law, &mut counts.series)
-            && let Some(cut) = law.cut
-        {
-            let key = Key { subject: key.subject ^ IN_PARTS, ..key };
-            let audit = sample_in_parts(subject, cut, key, &mut draws.t)?;
-            series.observe(&law.truth, &draws.t, index);
-            counts.beyond += audit.outside;
+    /// Folds the draws of `block`, which took so many seconds.
+    fn tally(&mut self, plan: &Plan, block: u64, first: bool, seconds: f64) -> BlockSums {
+        self.count(plan, first);
+        let early = if block == 0 { self.early(plan) } else { Vec::new() };
+        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
+        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
+            tail.observe(&self.draws.weight);
         }
-        Ok(())
+        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
+        let rows = self.draws.rows as u64;
+        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
         let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
+            if let Some(ends) = &mut counts.ends {
+                ends.observe(&draws.t);
+            }
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
-                if let Some(marks) = &mut counts.marks {
-                    marks.observe(scores, &draws.mark, index);
-                }
             }
+            counts.joint.marks(law, draws, index);
             if law.pair.is_some() {
                 counts.ties.observe(&draws.t, first);
             }
             let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
             counts.weighted += weighted.count() as u64;
+        } else if let Some(channels) = &plan.channels {
+            let inside = |t: f64| (t >= 0.0 && t <= channels.length) || t == f64::INFINITY;
+            let count = |stray: &dyn Fn(f64) -> bool| draws.t.iter().filter(|&&t| stray(t)).count() as u64;
+            counts.strays[0] += count(&f64::is_nan);
+            counts.strays[1] += count(&|t| !t.is_nan() && !inside(t));
         }
         if let Some(collisions) = &mut counts.collisions {
             collisions.observe(&draws.collisions, index);
@@ -169,23 +181,22 @@ impl Worker {
         counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
     }
 
-    fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
+    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
         let Some(channels) = &plan.channels else {
             return Vec::new();
         };
-        let Self { draws, masked, .. } = self;
-        let mut one = |claim: &crate::plan::ChannelClaim| {
+        let Self { draws, masked, counts, .. } = self;
+        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Option<Tail>)| {
             let column = &draws.channels[claim.channel];
             masked.clear();
             masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
-            let weights = PowerSums::of(claim.mean.expected, masked);
-            masked.iter_mut().for_each(|w| *w *= *w);
-            (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
+            tail.iter_mut().for_each(|tail| tail.observe(masked));
+            PowerSums::of(claim.mean.expected, masked)
         };
-        channels.claims.iter().map(&mut one).collect()
+        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
     }
 }
 
@@ -194,36 +205,36 @@ impl Counts {
         if let (Some(a), Some(b)) = (&mut self.cells, &other.cells) {
             a.merge(b);
         }
+        if let (Some(a), Some(b)) = (&mut self.ends, &other.ends) {
+            a.merge(b);
+        }
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
             a.merge(b);
         }
-        if let (Some(a), Some(b)) = (&mut self.nulls, &other.nulls) {
-            a.merge(b);
-        }
-        if let (Some(a), Some(b)) = (&mut self.series, &other.series) {
-            a.merge(b);
-        }
-        if let (Some(a), Some(b)) = (&mut self.marks, &other.marks) {
-            a.merge(b);
-        }
-        self.beyond += other.beyond;
+        self.joint.merge(&other.joint);
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
         self.weighted += other.weighted;
+        self.strays.iter_mut().zip(other.strays).for_each(|(all, more)| *all += more);
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
+        for (a, b) in self.tails.iter_mut().zip(&other.tails) {
+            if let (Some(a), Some(b)) = (a, b) {
+                a.merge(b);
+            }
+        }
     }
 }
 
 impl Collected {
     fn new(plan: &Plan) -> Self {
-        let sums = |claim: &crate::plan::ChannelClaim| {
-            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
-        };
+        let sums = |claim: &crate::plan::ChannelClaim| PowerSums::new(claim.mean.expected);
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            batches: Batches::default(),
+            capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
             seconds: 0.0,
@@ -236,13 +247,39 @@ impl Collected {
         if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
             a.merge(b);
             self.running.note(a);
+            let (n, [sum, squares, ..], lookups) = (b.n as f64, b.sums, block.lookups as f64);
+            self.batches.observe(Batch { n, sum, squares, lookups });
         }
-        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
+        self.capitals.merge(&block.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
             weights.merge(w);
-            squares.merge(s);
         }
-        self.draws += BLOCK as u64;
+        self.draws += block.rows;
         self.seconds += block.seconds;
+    }
+
+    /// Takes in later draws; the running mean and the batches stay as they are.
+    pub fn merge(&mut self, next: Self) {
+        if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
+            a.merge(b);
+        }
+        self.capitals.merge(&next.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&next.channels) {
+            weights.merge(w);
+        }
+        self.counts.merge(next.counts);
+        self.draws += next.draws;
+        self.seconds += next.seconds;
+        self.fit_tails();
+    }
+
+    /// Notes the Pareto shape of each column whose tail was kept.
+    fn fit_tails(&mut self) {
+        let Self { counts, mean, channels, .. } = self;
+        let columns = mean.iter_mut().chain(channels.iter_mut());
+        for (sums, tail) in columns.zip(&counts.tails) {
+            sums.shape = tail.as_ref().and_then(|tail| tail.shape(sums.n));
+        }
     }
 }
 
@@ -264,10 +301,14 @@ impl Workers {
     }
 
     fn run(&self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
+        self.with(subject, plan, |worker| worker.run(subject, plan, key, nth))
+    }
+
+    /// Puts the worker of this thread to `work`.
+    fn with<T>(&self, subject: &Subject, plan: &Plan, work: impl FnOnce(&mut Worker) -> T) -> T {
         let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
-        worker.run(subject, plan, key, nth)
+        work(slot.get_or_insert_with(|| Worker::new(subject, plan)))
     }
 
     /// The counts of all workers; none if nobody worked.
@@ -292,6 +333,9 @@ pub fn collect(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
+    if let Work::Samples(_, source) = subject.work {
+        return samples::collect(source, subject, plan, seed, blocks, watch);
+    }
     let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {
@@ -312,5 +356,6 @@ pub fn collect(
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
     Ok(collected)
 }

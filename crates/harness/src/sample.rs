@@ -2,6 +2,7 @@
 
 use crate::audit::{Audit, Audited};
 use crate::fault::{BlockPlace, Faulty, lay_over_draws};
+use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
 use crate::tally::NullTally;
 use freepath_estimators::claims::Channel;
@@ -36,12 +37,26 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
         }
         (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_weight().with_collisions(),
         (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
-        (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.media().len()),
-        (Work::Chromatic(_), Scene::Grey { .. }) => draws,
+        (Work::Samples(Kind::FreePath, _), _) => draws.with_t(),
+        (Work::Samples(Kind::WeightedFreePath, _), _) => draws.with_t().with_channels(1),
+        (Work::Samples(Kind::Transmittance, _), _) => draws.with_weight(),
+        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Chromatic(medium)) => {
+            draws.with_t().with_channels(medium.media().len())
+        }
+        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Grey { .. }) => draws,
     }
 }
 
-/// Fills `draws` with the block at `key`, the look-ups told to `watch`.
+/// Why a block was not finished.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfinished {
+    /// The subject ran past its budget of look-ups or random words, in words.
+    Spent(String),
+    /// It panicked or spoilt its block, in words.
+    Broken(String),
+}
+
+/// Fills `draws` with the block at `key`; look-ups in one extinction are told to `watch`.
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
@@ -52,8 +67,29 @@ pub fn sample_block(
     draws: &mut Draws,
     watch: Option<&RefCell<NullTally>>,
 ) -> Result<BlockRecord, String> {
+    let record = sample_watched(subject, Streams::new(key), draws, watch)
+        .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
+    let place = BlockPlace { key, first };
+    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
+    Ok(record)
+}
+
+/// Fills `draws` from `streams` under the subject's budget, without the faults that concern finished draws.
+///
+/// # Errors
+/// If the subject panics or runs past its budget.
+pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Result<BlockRecord, Unfinished> {
+    sample_watched(subject, streams, draws, None)
+}
+
+fn sample_watched(
+    subject: &Subject,
+    streams: Streams,
+    draws: &mut Draws,
+    watch: Option<&RefCell<NullTally>>,
+) -> Result<BlockRecord, Unfinished> {
     let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
-    let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
+    let (streams, shape) = (streams.with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
@@ -66,15 +102,13 @@ pub fn sample_block(
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if spent {
-        return Err(format!("more than {budget} look-ups in a block of {} draws", draws.rows));
+        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows);
+        return Err(Unfinished::Spent(why));
     }
     if shape != self::shape(draws) {
-        return Err("the subject changed the length of a column of its block".into());
+        return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
-    let record = BlockRecord { audit, seconds: started.elapsed().as_secs_f64() };
-    let place = BlockPlace { key, first };
-    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
-    Ok(record)
+    Ok(BlockRecord { audit, seconds: started.elapsed().as_secs_f64() })
 }
 
 /// No draw of an earlier block may stand in for one that the subject forgets to write.
@@ -90,13 +124,13 @@ fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
     (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
-fn why(payload: &(dyn Any + Send)) -> String {
+fn why(payload: &(dyn Any + Send)) -> Unfinished {
     if payload.is::<Spent>() {
-        return "the subject ran past its budget of look-ups or random words".into();
+        return Unfinished::Spent("the subject ran past its budget of look-ups or random words".into());
     }
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default();
-    format!("the subject panicked: {text}")
+    Unfinished::Broken(format!("the subject panicked: {text}"))
 }
 
 /// The relative excess over a majorant that counts as rounding.
@@ -122,7 +156,8 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
     match work {
         Work::FreePath(sampler) => sampler.sample_block(medium, streams, draws),
         Work::Transmittance(estimator) => estimator.estimate_block(medium, streams, draws),
-        Work::Exact | Work::ClosedForm | Work::Chromatic(_) => from_truth(work, truth, streams, draws),
+        Work::Exact | Work::ClosedForm => from_truth(work, truth, streams, draws),
+        Work::Chromatic(_) | Work::Samples(..) => {} // not drawn here: unwritten rows are NaN
     }
 }
 
@@ -140,9 +175,8 @@ fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams
             Work::Transmittance(estimator) => {
                 FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
             }
-            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
-                return from_truth(work, truth, streams, draws);
-            }
+            Work::Exact | Work::ClosedForm => return from_truth(work, truth, streams, draws),
+            Work::Chromatic(_) | Work::Samples(..) => return,
         };
         draws.put(row, path.t, path.weight, path.collisions);
     }

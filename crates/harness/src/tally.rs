@@ -1,17 +1,25 @@
 //! Folds over blocks: integers merge in any order, floats in block order.
 
+mod batches;
 mod cells;
 mod counts;
+mod extremes;
 mod lag;
 mod marks;
 mod nulls;
+mod smallest;
 mod sums;
+mod tail;
 mod ties;
 
+pub use batches::{Batch, Batches};
 pub use cells::CellTally;
 pub use counts::CountTally;
+pub use extremes::{Extremes, KEPT};
 pub use lag::{LAGS, LagTally, RANK_GROUPS, Scores};
 pub use marks::MarkTally;
 pub use nulls::NullTally;
+pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
+pub use tail::Tail;
 pub use ties::TieTally;

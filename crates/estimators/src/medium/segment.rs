@@ -65,7 +65,7 @@ impl Describe for Segment {
         match medium.build(surroundings)? {
             Built::Grey(inner) => {
                 check(inner.length())?;
-                Ok(Built::Grey(Arc::new(Part::new(*from, *to, inner)?)))
+                Ok(Built::Grey(Arc::new(View::new(*from, *to, inner)?)))
             }
             Built::Chromatic(inner) => {
                 check(inner.length())?;
@@ -75,8 +75,18 @@ impl Describe for Segment {
     }
 }
 
-/// A medium between two places, for those who have one that no case file describes.
-pub struct Part<M> {
+/// `inner` between `from` and `to`, its majorants and breaks with it: [`Segment`] for any medium.
+///
+/// # Errors
+/// If not 0 <= from < to <= length, or a bound is not finite.
+pub fn segment<M: Medium>(inner: M, from: f64, to: f64) -> Result<impl Medium, ParameterError> {
+    parameter::not_negative("from", from)?;
+    let (length, must_be) = (inner.length(), format!("above from, {from}, and at most {}", inner.length()));
+    parameter::require(to > from && to <= length, "to", to, &must_be)?;
+    View::new(from, to, inner)
+}
+
+struct View<M> {
     inner: M,
     from: f64,
     to: f64,
@@ -87,12 +97,8 @@ pub struct Part<M> {
     majorants: Majorants,
 }
 
-impl<M: Medium> Part<M> {
-    /// `inner` between `from` and `to`, with 0 <= `from` < `to` <= its length.
-    ///
-    /// # Errors
-    /// If its majorants cannot be cut.
-    pub fn new(from: f64, to: f64, inner: M) -> Result<Self, ParameterError> {
+impl<M: Medium> View<M> {
+    fn new(from: f64, to: f64, inner: M) -> Result<Self, ParameterError> {
         let shifted = inner.breaks().iter().map(|&s| shift(from, s));
         let unbounded = Self {
             from,
@@ -131,7 +137,7 @@ fn place(from: f64, last: f64, t: f64) -> f64 {
     if s > last { last } else { s }
 }
 
-impl<M: Medium> Extinction for Part<M> {
+impl<M: Medium> Extinction for View<M> {
     fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -153,7 +159,7 @@ impl<M: Medium> Extinction for Part<M> {
     }
 }
 
-impl<M: Medium> Medium for Part<M> {
+impl<M: Medium> Medium for View<M> {
     fn tau(&self, t: f64) -> f64 {
         let s = self.from + t;
         self.inner.tau(if s < self.to { s } else { self.to }) - self.before
@@ -188,7 +194,7 @@ mod tests {
     #[test]
     fn values_by_hand() {
         let inner = Linear::new(0.5, 2.0, 3.0).unwrap();
-        let view = Part::new(1.0, 2.5, grey(inner)).unwrap();
+        let view = View::new(1.0, 2.5, grey(inner)).unwrap();
         assert_eq!((view.length(), view.mu(1.0), view.tau(0.0)), (1.5, 1.5, 0.0));
         assert!((view.tau(1.0) - 1.25).abs() < 1e-15 && (view.inverse_tau(1.25) - 1.0).abs() < 1e-15);
         assert_eq!((view.majorants().ends(), view.majorants().mu_bar()), (&[1.5][..], &[2.0][..]));
@@ -197,7 +203,7 @@ mod tests {
     #[test]
     fn a_cut_at_a_break_does_not_see_the_piece_beyond() {
         let inner = PiecewiseConstant::new(vec![0.0, 1.0, 2.0, 3.5], vec![4.0, 0.5, 7.0]).unwrap();
-        let view = Part::new(1.0, 2.0, grey(inner)).unwrap();
+        let view = View::new(1.0, 2.0, grey(inner)).unwrap();
         assert_eq!(view.extrema(0.0, 1.0), (0.5, 0.5));
         assert_eq!((view.mu(0.0), view.mu(1.0), view.breaks()), (0.5, 0.5, &[][..]));
     }
@@ -207,7 +213,7 @@ mod tests {
         let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
         let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());
         let tight = Majorants::tight(&inner, 26);
-        let view = Part::new(0.25, 1.33, grey(Under::new(inner, tight))).unwrap();
+        let view = View::new(0.25, 1.33, grey(Under::new(inner, tight))).unwrap();
         assert_eq!((view.majorants().ends().len(), view.breaks().len()), (12, 2));
         assert_eq!(view.majorants().shortfall(&view), None);
         for (start, end) in view.majorants().segments() {

@@ -129,6 +129,7 @@ mod tests {
             own: None,
             scores: None,
             pair: None,
+            continuous: true,
             coleman: false,
             cut: None,
             marked: false,

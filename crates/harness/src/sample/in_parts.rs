@@ -1,10 +1,10 @@
-use super::{rounding, why};
+use super::{Unfinished, rounding, why};
 use crate::audit::{Audit, Audited};
 use crate::fault::Faulty;
 use crate::subject::{Scene, Subject, Work};
-use freepath_estimators::medium::Part;
+use freepath_estimators::medium::segment;
 use freepath_estimators::random::StreamRng;
-use freepath_estimators::{FreePathSampler, Key, Streams};
+use freepath_estimators::{Extinction, FreePathSampler, Key, Streams};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A draw that does not lie on its part of the ray: no law has it in its support.
@@ -19,7 +19,7 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
     let (Work::FreePath(sampler), Scene::Grey { seen, .. }) = (subject.work, subject.scene) else {
         return Err("only the free paths of one extinction can be drawn in parts".into());
     };
-    let part = |from, to| Part::new(from, to, seen).map_err(|error| format!("cannot cut the ray: {error}"));
+    let part = |from, to| segment(seen, from, to).map_err(|error| format!("cannot cut the ray: {error}"));
     let (head, tail) = (part(0.0, cut)?, part(cut, seen.length())?);
     let budget = subject.lookups_per_draw.saturating_mul(t.len() as u64);
     let audited = [&head, &tail].map(|part| Audited::new(part, budget, rounding(subject)));
@@ -36,7 +36,9 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
             };
         }
     });
-    catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
+    catch_unwind(run)
+        .map_err(|payload| why(payload.as_ref()))
+        .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
     if audited.iter().any(Audited::spent) {
         return Err(format!("more than {budget} look-ups in {} draws in two parts", t.len()));
     }
@@ -45,7 +47,6 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
 
 /// The distance in one part; one that lies outside of it is nowhere.
 fn draw(sampler: &dyn FreePathSampler, part: &Faulty, rng: &mut StreamRng) -> f64 {
-    use freepath_estimators::Extinction;
     part.begin();
     let t = sampler.sample(part, rng).t;
     if (0.0..=part.length()).contains(&t) || t == f64::INFINITY || t.is_nan() { t } else { NOWHERE }

@@ -20,7 +20,7 @@ pub struct LagTally {
     /// For each lag, how many pairs.
     pub pairs: [u64; LAGS],
     /// Row `a`, column `b`: draws of group a followed by one of group b, within blocks.
-    pub neighbours: [[u64; RANK_GROUPS]; RANK_GROUPS],
+    pub neighbours: Box<[[u64; RANK_GROUPS]; RANK_GROUPS]>,
     /// The scores of a block.
     buffer: Vec<i16>,
 }
@@ -108,7 +108,7 @@ impl Scores {
 
 impl Default for LagTally {
     fn default() -> Self {
-        let neighbours = [[0; RANK_GROUPS]; RANK_GROUPS];
+        let neighbours = Box::new([[0; RANK_GROUPS]; RANK_GROUPS]);
         Self { products: [0; LAGS], pairs: [0; LAGS], neighbours, buffer: Vec::new() }
     }
 }

@@ -5,14 +5,14 @@ use super::{RANK_GROUPS, Scores};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MarkTally {
     /// Row: group of the distance by rank under the law; column: sixteenth of [0, 1) in which the mark lies.
-    pub counts: [[u64; RANK_GROUPS]; RANK_GROUPS],
+    pub counts: Box<[[u64; RANK_GROUPS]; RANK_GROUPS]>,
     /// Marks that are NaN or outside [0, 1).
     pub spoilt: u64,
 }
 
 impl Default for MarkTally {
     fn default() -> Self {
-        Self { counts: [[0; RANK_GROUPS]; RANK_GROUPS], spoilt: 0 }
+        Self { counts: Box::new([[0; RANK_GROUPS]; RANK_GROUPS]), spoilt: 0 }
     }
 }
 

@@ -41,7 +41,7 @@ fn joined(tally: &MarkTally, least: f64) -> Vec<Vec<u64>> {
     let columns = tally.counts[0].len();
     let add = |a: &mut Vec<u64>, b: &[u64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
     let (mut rows, mut part) = (Vec::new(), vec![0; columns]);
-    for row in &tally.counts {
+    for row in tally.counts.iter() {
         add(&mut part, row);
         if part.iter().sum::<u64>() as f64 >= least {
             rows.push(std::mem::replace(&mut part, vec![0; columns]));

@@ -1,5 +1,5 @@
 use super::{atom, chi_square};
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::tally::CellTally;
 use crate::verdict::Reason;
@@ -18,11 +18,11 @@ pub fn series(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let cells = chi_square("series", law, tally, 16, reason);
     let worse = match (escapes.p, cells.p) {
         (Some(a), Some(b)) if !(a >= b) => escapes,
-        (_, None) => return Evidence { name: "series".into(), ..escapes },
+        (_, None) => return Evidence { name: "series".into(), ..escapes }.under(Null::Conservative),
         _ => cells,
     };
     let p = worse.p.map_or(f64::NAN, |p| if p > 0.5 { 1.0 } else { 2.0 * p });
-    Evidence::new("series", worse.statistic, worse.dof, p, reason).noted(worse.note)
+    Evidence::new("series", worse.statistic, worse.dof, p, reason).noted(worse.note).under(Null::Conservative)
 }
 
 #[cfg(test)]
