@@ -29,12 +29,10 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let (expected, by_design, as_expected) =
-        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
+    let planted = !prepared.faults.is_empty();
+    let (expected, by_design, as_expected) = expected(prepared.spec.expect, planted, plan.design, &decision);
     let id = id(case, prepared);
-    let rejections = [Some(first), second].into_iter().flatten().flat_map(|stage| tests((1, stage)));
-    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
-    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections));
+    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections(first, second)));
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
@@ -62,8 +60,8 @@ pub(super) fn result(
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
         law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
+        tests: stages(first, second).flat_map(tests).collect(),
+        facts: stages(first, second).flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
@@ -71,6 +69,16 @@ pub(super) fn result(
         efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
+}
+
+/// The stages with their numbers.
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
+}
+
+/// In how many stages the draws of growth reject.
+fn rejections(first: Stage, second: Option<Stage>) -> usize {
+    stages(first, second).flat_map(tests).filter(|test| test.name == "growth" && test.rejected).count()
 }
 
 /// The series of a law.
