@@ -7,3 +7,4 @@ pub(crate) mod medium;
 pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod schema;
+pub(crate) mod soak;

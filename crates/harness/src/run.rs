@@ -184,7 +184,8 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
-        draws = growth.confirm(subject, plan, collected, 2 * grown.draws, &mut judged)?;
+        let most = if subject.work.finished() { 0 } else { 2 * grown.draws };
+        draws = growth.confirm(subject, plan, collected, most, &mut judged)?;
     }
     *second = Some((judged, draws));
     Ok(())

@@ -4,15 +4,13 @@ use crate::args::{Output, Run, When};
 use crate::cmd::report;
 use crate::progress::Bar;
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, screen, table};
+use crate::{cases, files, filter, screen, signal, table};
 use freepath_estimators::simd;
 use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
 use freepath_harness::run::{self, Cancelled, Options, Outcome, exit_code, quoted};
 use std::io::{IsTerminal, stderr, stdout};
-use std::process;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -32,7 +30,7 @@ pub(crate) fn judge(
     color: When,
 ) -> Result<u8, Trouble> {
     files::open(&args.out)?;
-    let cancelled = cancelled_by_signal()?;
+    let cancelled = signal::cancelled()?;
     let start = Instant::now();
     let outcome = drawn(args, cases, (seed, repro), &cancelled)?;
     let text = freepath_report::json(&outcome.results).map_err(running)?;
@@ -63,19 +61,6 @@ fn prepared(args: &Run, color: bool) -> Result<Vec<Prepared>, Trouble> {
         Some(text) => filter::keep(cases, text),
         None => Ok(cases),
     }
-}
-
-/// Set by the first Ctrl-C; the second ends the program at once.
-fn cancelled_by_signal() -> Result<Arc<AtomicBool>, Trouble> {
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let flag = cancelled.clone();
-    let stop = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            process::exit(i32::from(Trouble::Interrupted.code()));
-        }
-    };
-    ctrlc::set_handler(stop).map_err(|why| Trouble::Running(format!("cannot heed Ctrl-C: {why}")))?;
-    Ok(cancelled)
 }
 
 fn drawn(

@@ -29,15 +29,13 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let planted = !prepared.faults.is_empty();
-    let (expected, by_design, as_expected) = expected(prepared.spec.expect, planted, plan.design, &decision);
-    let id = id(case, prepared);
-    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections(first, second)));
+    let (expected, by_design, as_expected) = expectation(trial, &decision);
+    let grown = grown(trial, first, second);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
-        repro: repro(case, &id, options),
-        id,
+        repro: repro(case, &id(case, prepared), options),
+        id: id(case, prepared),
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
@@ -71,14 +69,20 @@ pub(super) fn result(
     }
 }
 
-/// The stages with their numbers.
-fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
-    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
+fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+    let Trial { prepared, plan, .. } = trial;
+    expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
 }
 
-/// In how many stages the draws of growth reject.
-fn rejections(first: Stage, second: Option<Stage>) -> usize {
-    stages(first, second).flat_map(tests).filter(|test| test.name == "growth" && test.rejected).count()
+/// How growth ended, after the decision.
+fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
+    let rejections = stages(first, second).flat_map(tests);
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    trial.first.grown.clone().map(|grown| settled(grown, rejections))
+}
+
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// The series of a law.
