@@ -24,6 +24,8 @@ const EXIT_CODES: &str = "Exit codes: 0 everything as expected, 1 something is n
 pub(crate) enum Verb {
     /// Run cases and write a report.
     Run(Run),
+    /// Find how many draws each planted fault needs to be seen, and what sees it.
+    Power(Power),
     /// List every name that a case can use, and every test and reason.
     List(List),
     /// Tell all about one name of the list.
@@ -40,6 +42,38 @@ pub(crate) struct Run {
     /// Case files, or folders of them, searched recursively for .json and .jsonc.
     #[arg(value_name = "PATH", default_value = "cases")]
     pub(crate) paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+    /// Print results.json instead of a line per subject.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Show no progress, and only the subjects that are not as expected.
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+/// `freepath power`.
+#[derive(Args, Debug)]
+pub(crate) struct Power {
+    /// Case files, or folders of them, searched recursively for .json and .jsonc.
+    #[arg(value_name = "PATH", default_value = "cases/controls")]
+    pub(crate) paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+    /// Print power.json instead of the table.
+    #[arg(long, conflicts_with = "markdown")]
+    pub(crate) json: bool,
+    /// Print the table in Markdown, as in docs/power.md.
+    #[arg(long)]
+    pub(crate) markdown: bool,
+    /// Show no progress, and only the rows that are not as expected.
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+/// What commands that draw have in common.
+#[derive(Args, Debug)]
+pub(crate) struct Sampling {
     /// The seed of all random numbers.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) seed: u64,
@@ -55,18 +89,12 @@ pub(crate) struct Run {
     /// Worker threads [default: one per CPU]; results do not depend on it.
     #[arg(long, value_name = "N", value_parser = number::jobs)]
     pub(crate) jobs: Option<usize>,
-    /// The folder that the report is written to.
+    /// The folder that results are written to.
     #[arg(long, value_name = "DIR", default_value = "reports")]
     pub(crate) out: PathBuf,
     /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
     #[arg(long, value_name = "TEXT")]
     pub(crate) filter: Option<String>,
-    /// Print results.json instead of a line per subject.
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Show no progress, and only the subjects that are not as expected.
-    #[arg(long)]
-    pub(crate) quiet: bool,
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,

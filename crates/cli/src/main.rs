@@ -9,6 +9,7 @@ mod number;
 mod progress;
 mod reference;
 mod screen;
+mod session;
 mod table;
 mod trouble;
 
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
     let Command { verb, color } = Command::parse();
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Power(args) => cmd::power::power(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),
         Verb::Describe(args) => cmd::describe::describe(args),

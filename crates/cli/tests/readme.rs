@@ -32,12 +32,18 @@ fn freepath(args: &[String], variables: &[(&str, &str)]) -> Output {
     command.envs(variables.iter().copied()).output().unwrap()
 }
 
-/// The arguments of `rest`, with the report going to `folder`; fewer draws will do to see that a command is sound.
+/// The arguments of `rest`, with the report going to `folder`; fewer draws or subjects will do to see that a command is sound.
 fn arguments(rest: &str, folder: &str) -> Vec<String> {
     let mut args: Vec<String> = rest.split_whitespace().map(String::from).collect();
-    if args[0] == "run" && !args.iter().any(|arg| arg == "--help") {
+    let fewer: &[&str] = match args[0].as_str() {
+        "run" => &["--quick"],
+        "power" => &["--filter", "short_majorant"],
+        _ => return args,
+    };
+    if !args.iter().any(|arg| arg == "--help") {
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
-        args.extend(["--out".into(), out.display().to_string(), "--quick".into()]);
+        args.extend(["--out".into(), out.display().to_string()]);
+        args.extend(fewer.iter().map(ToString::to_string));
     }
     args
 }

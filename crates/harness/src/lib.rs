@@ -24,7 +24,7 @@
 //! # Ok::<(), freepath_estimators::ParameterError>(())
 //! ```
 //!
-//! Cases are read by [`case::CaseFile`] and run by [`run::run`].
+//! Cases are read by [`case::CaseFile`] and run by [`run::run`]; [`power::power`] finds how many draws a fault needs to be seen.
 
 pub mod assert;
 pub mod audit;
@@ -37,6 +37,7 @@ pub mod fault;
 pub mod judge;
 pub mod law;
 pub mod plan;
+pub mod power;
 pub mod real;
 pub mod results;
 pub mod run;

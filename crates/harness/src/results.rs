@@ -7,10 +7,12 @@ use serde::{Deserialize, Serialize};
 mod law;
 mod mean;
 mod medium;
+mod power;
 
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
+pub use power::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
 
 /// The version of this format. Fields are added, never renamed.
 pub const SCHEMA_VERSION: u32 = 1;

@@ -55,19 +55,19 @@ pub struct Outcome {
 pub struct Cancelled;
 
 /// One subject on its way through the stages.
-struct Trial<'a> {
+pub(crate) struct Trial<'a> {
     case: &'a Prepared,
-    prepared: &'a PreparedSubject,
+    pub(crate) prepared: &'a PreparedSubject,
     subject: Subject<'a>,
-    plan: Plan,
-    first: Stage1,
-    second: Option<(Judged, u64)>,
+    pub(crate) plan: Plan,
+    pub(crate) first: Stage1,
+    pub(crate) second: Option<(Judged, u64)>,
     seconds: f64,
 }
 
 /// What stage 1 gave.
-struct Stage1 {
-    judged: Judged,
+pub(crate) struct Stage1 {
+    pub(crate) judged: Judged,
     collected: Option<Collected>,
 }
 
@@ -85,8 +85,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     }
     let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
     for trial in &suspects {
-        let draws = 2 * whole(trial.subject.draws);
-        (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+        plan_stage_two(trial, options);
     }
     for trial in &mut suspects {
         stage_two(trial, options)?;
@@ -103,8 +102,27 @@ fn plan_stage_one(cases: &[Prepared], options: &Options) {
     }
 }
 
+fn plan_stage_two(trial: &Trial, options: &Options) {
+    (options.progress)(Progress::Planned(2 * whole(trial.subject.draws)), &trial.prepared.name);
+}
+
+/// One subject through stage 1 and, if it is suspect, stage 2: as in a run, but for the decision, which is not made.
+pub(crate) fn tried<'a>(
+    case: &'a Prepared,
+    prepared: &'a PreparedSubject,
+    options: &Options,
+) -> Result<Trial<'a>, Cancelled> {
+    (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+    let mut trial = stage_one(case, prepared, options)?;
+    if suspect(&trial.first.judged) {
+        plan_stage_two(&trial, options);
+        stage_two(&mut trial, options)?;
+    }
+    Ok(trial)
+}
+
 /// Draws in whole blocks.
-fn whole(draws: u64) -> u64 {
+pub(crate) fn whole(draws: u64) -> u64 {
     Subject::blocks(draws) * BLOCK as u64
 }
 

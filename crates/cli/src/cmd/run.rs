@@ -2,98 +2,32 @@
 
 use crate::args::{Run, When};
 use crate::cmd::report;
-use crate::progress::Bar;
+use crate::session::Session;
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, screen, table};
+use crate::{files, screen, table};
 use freepath_estimators::simd;
-use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
-use freepath_harness::run::{self, Cancelled, Options, Outcome, exit_code, quoted};
-use std::io::{IsTerminal, stderr, stdout};
-use std::process;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use freepath_harness::run::{self, Outcome, exit_code};
+use std::io::{IsTerminal, stdout};
 use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
-    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
-    let cases = prepared(args, color.colors(stderr().is_terminal()))?;
-    files::open(&args.out)?;
-    let cancelled = cancelled_by_signal()?;
+    let session = Session::open("run", &args.paths, &args.sampling, args.quiet, color)?;
     let start = Instant::now();
-    let outcome = drawn(args, &cases, &cancelled)?;
+    let outcome = session.draw(run::run)?;
     let text = freepath_report::json(&outcome.results).map_err(running)?;
     show(args, color, &outcome, &text)?;
     write(args, &outcome, &text, start)?;
     if !args.json && !args.quiet {
-        screen::print(&table::summary(&outcome.results, &args.out))?;
+        screen::print(&table::summary(&outcome.results, &args.sampling.out))?;
     }
     Ok(exit_code(&outcome.results))
 }
 
 fn running(why: impl std::fmt::Display) -> Trouble {
     Trouble::Running(why.to_string())
-}
-
-fn prepared(args: &Run, color: bool) -> Result<Vec<Prepared>, Trouble> {
-    let limits = Limits {
-        draws: args.draws,
-        effort: match (args.quick, args.thorough) {
-            (true, _) => 0.1,
-            (_, true) => 10.0,
-            _ => 1.0,
-        },
-        allow_paths: args.allow_paths,
-    };
-    let cases = cases::prepare(&cases::find(&args.paths, &args.out)?, &limits, color)?;
-    match &args.filter {
-        Some(text) => filter::keep(cases, text),
-        None => Ok(cases),
-    }
-}
-
-/// Set by the first Ctrl-C; the second ends the program at once.
-fn cancelled_by_signal() -> Result<Arc<AtomicBool>, Trouble> {
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let flag = cancelled.clone();
-    let stop = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            process::exit(i32::from(Trouble::Interrupted.code()));
-        }
-    };
-    ctrlc::set_handler(stop).map_err(|why| Trouble::Running(format!("cannot heed Ctrl-C: {why}")))?;
-    Ok(cancelled)
-}
-
-fn drawn(args: &Run, cases: &[Prepared], cancelled: &AtomicBool) -> Result<Outcome, Trouble> {
-    // Zero threads stand for one per CPU.
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
-    let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
-    let bar = Bar::new(args.quiet);
-    let options = Options {
-        seed: args.seed,
-        cancelled,
-        progress: &|progress, subject| bar.tell(progress, subject),
-        repro: repro(args),
-    };
-    let outcome = pool.install(|| run::run(cases, &options)).map_err(|Cancelled| Trouble::Interrupted)?;
-    match cancelled.load(Ordering::Relaxed) {
-        true => Err(Trouble::Interrupted),
-        false => Ok(outcome),
-    }
-}
-
-/// The command with every flag that the results depend on.
-fn repro(args: &Run) -> String {
-    let mut words = vec!["freepath run".to_string()];
-    words.extend(args.paths.iter().map(|path| quoted(&path.display().to_string())));
-    words.push(format!("--seed {}", args.seed));
-    words.extend(args.draws.map(|draws| format!("--draws {draws}")));
-    let flags = [(args.quick, "--quick"), (args.thorough, "--thorough"), (args.allow_paths, "--allow-paths")];
-    words.extend(flags.iter().filter(|(set, _)| *set).map(|(_, flag)| (*flag).to_string()));
-    words.join(" ")
 }
 
 fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
@@ -111,14 +45,14 @@ fn write(args: &Run, outcome: &Outcome, text: &str, start: Instant) -> Result<()
     let timings = Timings {
         run: run.clone(),
         seconds: Real(start.elapsed().as_secs_f64()),
-        jobs: args.jobs.unwrap_or_else(rayon::current_num_threads),
+        jobs: args.sampling.jobs.unwrap_or_else(rayon::current_num_threads),
         isa: simd::isa().name().into(),
         subjects: outcome.timings.clone(),
     };
     let clock = serde_json::to_string_pretty(&timings).map_err(running)? + "\n";
-    files::write(&args.out.join("results.json"), text)?;
-    files::write(&args.out.join("timings.json"), &clock)?;
+    files::write(&args.sampling.out.join("results.json"), text)?;
+    files::write(&args.sampling.out.join("timings.json"), &clock)?;
     let results = serde_json::from_str(text).map_err(running)?;
     let timings = serde_json::from_str(&clock).map_err(running)?;
-    report::page(&results, &run, Some(&timings), &args.out)
+    report::page(&results, &run, Some(&timings), &args.sampling.out)
 }

@@ -2,6 +2,7 @@
 
 mod input;
 mod output;
+mod power;
 mod reference;
 mod signals;
 mod support;

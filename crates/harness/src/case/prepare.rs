@@ -35,6 +35,7 @@ pub struct Prepared {
 }
 
 /// A subject along one ray.
+#[derive(Clone)]
 pub struct PreparedSubject {
     /// As in the case.
     pub spec: Subject,
