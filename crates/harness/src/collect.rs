@@ -65,6 +65,7 @@ pub enum Stopped {
 
 /// The float sums of one block.
 struct BlockSums {
+    rows: u64,
     mean: Option<PowerSums>,
     channels: Vec<(PowerSums, PowerSums)>,
     seconds: f64,
@@ -86,7 +87,7 @@ impl Worker {
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
         let counts = Counts { cells, collisions, ..Counts::default() };
-        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
+        Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
     /// One block; `first` says whether it is among the first of its range.
@@ -98,7 +99,8 @@ impl Worker {
         self.count(plan, first);
         let early = if row == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+        let rows = self.draws.rows as u64;
+        Ok(BlockSums { rows, mean, channels: self.channels(plan), seconds: record.seconds, early })
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -189,7 +191,7 @@ impl Collected {
             weights.merge(w);
             squares.merge(s);
         }
-        self.draws += BLOCK as u64;
+        self.draws += block.rows;
         self.seconds += block.seconds;
     }
 }
@@ -260,7 +262,7 @@ pub fn collect(
         for block in wave {
             collected.fold(&block.map_err(Stopped::Subject)?);
         }
-        (watch.progress)((end - start) * BLOCK as u64);
+        (watch.progress)((end - start) * subject.rows as u64);
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();

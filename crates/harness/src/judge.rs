@@ -4,7 +4,7 @@ use crate::collect::Collected;
 use crate::evidence::{Evidence, Fact};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
-use crate::subject::{BLOCK, Scene, Subject};
+use crate::subject::{Scene, Subject};
 use crate::tally::{CellTally, PowerSums};
 use crate::test;
 use crate::verdict::Reason;
@@ -44,7 +44,7 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
         judged.evidence.push(test::poisson_count(counts, mean, subject.tolerance));
     }
     if let Some(expected) = plan.lookups {
-        judged.evidence.push(test::lookups(&seen.counts.lookups, BLOCK, expected, subject.tolerance));
+        judged.evidence.push(test::lookups(&seen.counts.lookups, subject.rows, expected, subject.tolerance));
     }
     judged
 }

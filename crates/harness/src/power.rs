@@ -1,7 +1,7 @@
 //! The power of the judgement, measured: how many draws it takes to see each fault, and what sees it.
 //!
-//! Each subject is judged at the doublings of a block, 16,384 draws, 32,768, .., and at its full effort, each time by both
-//! stages with the streams that `run --draws N` gives it, until the failure that its case expects is found. The number of
+//! Each subject is judged at 256 draws, 512, .., and at its full effort, each time by both stages, until the failure that
+//! its case expects is found. From a block (16,384) on the draws are those of `run --draws N`; below, each block is cut short. The number of
 //! draws is that of stage 1; a decision by p-values takes twice as many more in stage 2, one by a fact none.
 //!
 //! # Errors held
@@ -24,6 +24,9 @@ use rayon::prelude::*;
 
 /// The p-values of the run that a fault must be caught in.
 pub const FAMILY: usize = 10_000;
+
+/// The fewest draws that are tried.
+pub const FEWEST: u64 = 256;
 
 /// Every subject of every case, at growing draws: the same for any number of threads.
 ///

@@ -104,7 +104,8 @@ fn plan_stage_one(cases: &[Prepared], options: &Options) {
 }
 
 fn plan_stage_two(trial: &Trial, options: &Options) {
-    (options.progress)(Progress::Planned(2 * whole(trial.subject.draws)), &trial.prepared.name);
+    let draws = 2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64;
+    (options.progress)(Progress::Planned(draws), &trial.prepared.name);
 }
 
 /// One subject through stage 1 and, if it is suspect, stage 2: as in a run, but for the decision, which is not made.
@@ -113,7 +114,8 @@ pub(crate) fn tried<'a>(
     prepared: &'a PreparedSubject,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+    let draws = Subject::blocks(prepared.draws) * prepared.rows as u64;
+    (options.progress)(Progress::Planned(draws), &prepared.name);
     let mut trial = stage_one(case, prepared, options)?;
     if suspect(&trial.first.judged) {
         plan_stage_two(&trial, options);

@@ -2,8 +2,8 @@
 
 use super::grid::Grid;
 use crate::screen::cell;
+use freepath_harness::power::FEWEST;
 use freepath_harness::results::{PowerResults, PowerRow, Role};
-use freepath_harness::subject::BLOCK;
 
 /// The parts of the table: which rows, under which title and head.
 const PARTS: &[(Role, &str, &[&str])] = &[
@@ -59,7 +59,7 @@ fn caught(row: &PowerRow) -> [String; 3] {
     };
     let first = row.first.as_ref();
     let name = first.map_or(String::new(), |seen| seen.name.clone() + if seen.fact { " (fact)" } else { "" });
-    let least = if needed <= BLOCK as u64 { "at most " } else { "" };
+    let least = if needed <= FEWEST { "at most " } else { "" };
     [name, format!("{least}{needed}"), first.map_or(String::new(), |seen| seen.reason.to_string())]
 }
 

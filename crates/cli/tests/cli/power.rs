@@ -42,7 +42,7 @@ fn a_table_tells_what_sees_each_fault() {
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
     assert!(out.contains("ok  short_majorant factor=0.5") && out.contains("wrong_law"), "{out}");
     assert!(out.contains("audit: bound_violated"), "{out}");
-    assert!(out.contains("3 of 3 as expected: 1 caught, with at most 16384 draws; 1 hidden; 1 pass"), "{out}");
+    assert!(out.contains("3 of 3 as expected: 1 caught, with at most 256 draws; 1 hidden; 1 pass"), "{out}");
     let rows = results(&folder).rows;
     assert_eq!([Role::Caught, Role::Hidden, Role::Passes], [0, 1, 2].map(|i: usize| rows[i].role));
     assert_eq!(contents(&folder.join("reports")).len(), 1, "power.json alone is written");

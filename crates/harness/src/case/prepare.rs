@@ -4,7 +4,7 @@ use super::name::hash;
 use super::surroundings::{Place, Volumes};
 use super::{Case, CaseError, CaseFile, MOST_DRAWS, Subject};
 use crate::fault::Fault;
-use crate::subject::{DRAWS, Scene};
+use crate::subject::{BLOCK, DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;
 use freepath_estimators::{Medium, ParameterError, Under};
@@ -51,6 +51,8 @@ pub struct PreparedSubject {
     pub key: u64,
     /// Draws of stage 1.
     pub draws: u64,
+    /// Draws of each block.
+    pub rows: usize,
 }
 
 impl PreparedSubject {
@@ -77,6 +79,7 @@ impl PreparedSubject {
         crate::subject::Subject {
             key: self.key,
             draws: self.draws,
+            rows: self.rows,
             budget: self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
             bias_bound: self.spec.bias_bound.or(case.bias_bound),
             tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
@@ -166,7 +169,8 @@ impl CaseFile {
             return Err(self.refuse("draws", format!("{draws} draws are too many (at most {MOST_DRAWS})")));
         }
         let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        Ok(PreparedSubject { spec: spec.clone(), name, truth, seen, faults, key: hash(&canonical), draws })
+        let (key, rows) = (hash(&canonical), BLOCK);
+        Ok(PreparedSubject { spec: spec.clone(), name, truth, seen, faults, key, draws, rows })
     }
 }
 

@@ -1,8 +1,8 @@
 //! One subject, at growing draws.
 
-use super::FAMILY;
 use super::outcome::Outcome;
 use super::words::words;
+use super::{FAMILY, FEWEST};
 use crate::case::{Prepared, PreparedSubject};
 use crate::decide::Decision;
 use crate::fault::Expectation;
@@ -69,16 +69,17 @@ pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options
     Ok(found.row(case, prepared))
 }
 
-/// The doublings of a block below the full effort, up to the first at which the subject `fails` as it must; and that one.
+/// The doublings below the full effort, up to the first at which the subject `fails` as it must; and that one.
 fn climb(
     case: &Prepared,
     prepared: &PreparedSubject,
     options: &Options,
     fails: &dyn Fn(&Decision) -> bool,
 ) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
-    let (mut draws, mut ladder) = (BLOCK as u64, Vec::new());
+    let (mut draws, mut ladder) = (FEWEST, Vec::new());
     while draws < whole(prepared.draws) {
-        let fewer = PreparedSubject { draws, ..prepared.clone() };
+        let rows = if draws < BLOCK as u64 { draws as usize } else { BLOCK };
+        let fewer = PreparedSubject { draws, rows, ..prepared.clone() };
         let outcome = Outcome::of(&tried(case, &fewer, options)?, draws, FAMILY);
         ladder.push(outcome.rung.clone());
         if fails(&outcome.decision) {

@@ -67,7 +67,7 @@ pub struct PowerRow {
     pub expected: String,
     /// The draws of stage 1 at full effort: whole blocks.
     pub draws: u64,
-    /// The fewest draws of stage 1, among the doublings of a block and the full effort, with the failure that is expected; none
+    /// The fewest draws of stage 1, among the doublings of 256 and the full effort, with the failure that is expected; none
     /// if it is not found at full effort.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub needed: Option<u64>,
