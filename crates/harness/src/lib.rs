@@ -31,6 +31,7 @@ pub mod audit;
 pub mod case;
 pub mod collect;
 pub mod decide;
+pub mod describe;
 pub mod diagnose;
 pub mod evidence;
 pub mod fault;

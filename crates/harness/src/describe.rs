@@ -1,0 +1,37 @@
+//! Tests, checks and reasons in short: what `freepath describe` prints below the first sentence. `docs/statistics.md` has the
+//! long form, a section for each name.
+
+mod checks;
+mod reasons;
+mod tests;
+
+use crate::verdict::Reason;
+
+/// Formula, gate and source of a test of [`NAMES`](crate::test::NAMES), or what a check compares with what.
+#[must_use]
+pub fn details(name: &str) -> Option<&'static str> {
+    let all = tests::DETAILS.iter().chain(checks::DETAILS);
+    all.copied().find(|(known, _)| *known == name).map(|(_, words)| words)
+}
+
+/// What gives a reason, what usually causes it, and what to do.
+#[must_use]
+pub fn advice(reason: Reason) -> &'static str {
+    reasons::of(reason)
+}
+
+#[cfg(test)]
+mod guard {
+    use super::{checks, details, tests};
+    use crate::test::{CHECKS, NAMES};
+
+    #[test]
+    fn every_test_and_every_check_has_details_and_nothing_else_has() {
+        let known: Vec<&str> = NAMES.iter().chain(CHECKS).map(|(name, _)| *name).collect();
+        let missing: Vec<_> = known.iter().filter(|name| details(name).is_none()).collect();
+        assert!(missing.is_empty(), "no details of {missing:?}");
+        let told = tests::DETAILS.iter().chain(checks::DETAILS).map(|(name, _)| name);
+        let unknown: Vec<_> = told.filter(|name| !known.contains(name)).collect();
+        assert!(unknown.is_empty(), "details of {unknown:?}, which nobody knows");
+    }
+}
