@@ -15,11 +15,8 @@ fn with_control(name: &str) -> PathBuf {
     let subjects = [
         short("gross", 0.5, r#""without": ["bounded"], "expect": { "fail": "wrong_law" }"#),
         short("hidden", 0.999, r#""innocent": true, "expect": { "fail": "bound_violated" }"#),
-        format!(
-            r#"{{ "transmittance": {{ "ratio_tracking": {{}} }}, {}, "without": ["second_moment", "lookups"],
-                "expect": "pass" }}"#,
-            fault(0.8)
-        ),
+        r#"{ "transmittance": { "ratio_tracking": {} }, "majorant": { "factor": 0.8 }, "expect": "pass" }"#
+            .to_string(),
     ];
     let from = GOOD.find("{ \"free_path\"").unwrap();
     let to = GOOD.find("\n  ],").unwrap();
