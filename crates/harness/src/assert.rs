@@ -124,9 +124,7 @@ impl Trial {
         let watch = Watch { cancelled: &cancelled, progress: &|_| () };
         let stage = |blocks| judged(subject, plan, collect(subject, plan, seed, blocks, &watch));
         let mut first = stage(0..blocks);
-        if subject.route == Route::Block {
-            first.facts.extend(noiseless::facts(subject, plan, seed)); // by both methods
-        }
+        first.facts.extend(noiseless::facts(subject, plan, seed));
         let second = suspect(&first).then(|| stage(blocks..3 * blocks));
         Self { first, second, draws: subject.draws }
     }

@@ -5,6 +5,9 @@ use rand::Rng;
 /// Positions at which a scripted word stands.
 const POSITIONS: usize = 8;
 
+/// Positions of a script that does not change.
+const MANY: usize = 64;
+
 /// A lane of the key whose words fill the positions before a scripted one.
 const LANE: usize = 1001;
 
@@ -30,10 +33,10 @@ pub struct Scripted {
 }
 
 impl Scripted {
-    /// Every script: those that go on for ever, then each word at position 1, at position 2, and so on. `key` gives the words
+    /// Every script: those that fill the first 64 positions, then each word at position 1, at position 2, and so on. `key` gives the words
     /// before it.
     pub fn all(key: Key) -> impl Iterator<Item = Self> {
-        Self::endless().chain(Self::prefixes(key, POSITIONS))
+        Self::fillings().chain(Self::prefixes(key, POSITIONS))
     }
 
     /// Each word at each of the first `positions` of an otherwise real stream.
@@ -49,14 +52,18 @@ impl Scripted {
         })
     }
 
-    /// One word, or two in turn, for ever.
-    fn endless() -> impl Iterator<Item = Self> {
-        let constant = WORDS.iter().map(|&(value, word)| (format!("the uniform {value} for ever"), vec![word]));
+    /// One word, or two in turn, at the first positions.
+    fn fillings() -> impl Iterator<Item = Self> {
+        let constant =
+            WORDS.iter().map(|&(value, word)| (format!("the uniform {value} {MANY} times"), vec![word]));
         let pairs = [(0, 1), (1, 0), (3, 4), (4, 3)].map(|(i, j)| {
             let ((a, first), (b, second)) = (WORDS[i], WORDS[j]);
-            (format!("the uniforms {a} and {b} in turn for ever"), vec![first, second])
+            (format!("the uniforms {a} and {b} in turn, {MANY} of them"), vec![first, second])
         });
-        constant.chain(pairs).map(|(name, prefix)| Self { name, script: Script { prefix, repeat: true } })
+        constant.chain(pairs).map(|(name, words)| {
+            let prefix = words.into_iter().cycle().take(MANY).collect();
+            Self { name, script: Script { prefix, repeat: false } }
+        })
     }
 }
 

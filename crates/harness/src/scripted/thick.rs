@@ -4,7 +4,7 @@
 use super::{FIRST_BLOCK, Findings, Scripted};
 use crate::plan::Plan;
 use crate::sample::{columns, sample_from};
-use crate::subject::{Route, Scene, Subject, Work};
+use crate::subject::{Scene, Subject, Work};
 use crate::verdict::Reason;
 use freepath_estimators::medium::{ChromaticMedium, scaled};
 use freepath_estimators::{Draws, Key, Medium, Streams};
@@ -16,10 +16,10 @@ const DEPTH: f64 = 1000.0;
 const MOST_COLLISIONS: f64 = 50.0 * DEPTH;
 
 /// Draws of each script.
-const ROWS: usize = 8;
+const ROWS: usize = 4;
 
-/// Positions that are scripted.
-const POSITIONS: usize = 4;
+/// Positions that are scripted: the first step and its collision test, and the next.
+const POSITIONS: usize = 3;
 
 /// Escapes of a sampler from its own medium made thick. Not asked of one that is biased by design, nor of one that does not
 /// heed the medium: one that draws the same distances in both, or escapes from the thick one under a real stream.
@@ -55,8 +55,7 @@ fn chromatic(subject: &Subject, medium: &ChromaticMedium, seed: u64) -> Option<F
 fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
     let thick = Subject { scene, ..subject.clone() };
     let key = |i: u64| Key { seed, subject: subject.key, block: FIRST_BLOCK + 1000 + i };
-    let rows = if subject.route == Route::Block { 5 * ROWS } else { ROWS };
-    let (mut own, mut draws) = (columns(subject, rows), columns(&thick, rows));
+    let (mut own, mut draws) = (columns(subject, ROWS), columns(&thick, ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;
     if escaped(&draws) || own.t.iter().zip(&draws.t).any(|(a, b)| a.to_bits() == b.to_bits()) {
