@@ -2,6 +2,7 @@
 
 use crate::number;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use freepath_harness::source::samples::{Escape, Format};
 use std::path::PathBuf;
 
 /// Statistical verification of free-path samplers and transmittance estimators.
@@ -24,6 +25,8 @@ const EXIT_CODES: &str = "Exit codes: 0 everything as expected, 1 something is n
 pub(crate) enum Verb {
     /// Run cases and write a report.
     Run(Run),
+    /// Judge a file of samples against the medium of a case, and write a report.
+    Check(Check),
     /// Print and plot the medium of cases: mu, majorant, tau and T.
     Medium(Medium),
     /// Find how many draws each planted fault needs to be seen, and what sees it.
@@ -44,14 +47,12 @@ pub(crate) struct Run {
     /// Case files, or folders of them, searched recursively for .json and .jsonc.
     #[arg(value_name = "PATH", default_value = "cases")]
     pub(crate) paths: Vec<PathBuf>,
+    /// What is drawn.
     #[command(flatten)]
     pub(crate) sampling: Sampling,
-    /// Print results.json instead of a line per subject.
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Show no progress, and only the subjects that are not as expected.
-    #[arg(long)]
-    pub(crate) quiet: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
 }
 
 /// `freepath power`.
@@ -60,20 +61,18 @@ pub(crate) struct Power {
     /// Case files, or folders of them, searched recursively for .json and .jsonc.
     #[arg(value_name = "PATH", default_value = "cases/controls")]
     pub(crate) paths: Vec<PathBuf>,
+    /// Print the table in Markdown, as in docs/power.md.
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) markdown: bool,
+    /// What is drawn.
     #[command(flatten)]
     pub(crate) sampling: Sampling,
-    /// Print power.json instead of the table.
-    #[arg(long, conflicts_with = "markdown")]
-    pub(crate) json: bool,
-    /// Print the table in Markdown, as in docs/power.md.
-    #[arg(long)]
-    pub(crate) markdown: bool,
-    /// Show no progress, and only the rows that are not as expected.
-    #[arg(long)]
-    pub(crate) quiet: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
 }
 
-/// What commands that draw have in common.
+/// Which subjects of the cases are drawn, and how often.
 #[derive(Args, Debug)]
 pub(crate) struct Sampling {
     /// The seed of all random numbers.
@@ -88,18 +87,90 @@ pub(crate) struct Sampling {
     /// Ten times the draws.
     #[arg(long)]
     pub(crate) thorough: bool,
-    /// Worker threads [default: one per CPU]; results do not depend on it.
-    #[arg(long, value_name = "N", value_parser = number::jobs)]
-    pub(crate) jobs: Option<usize>,
-    /// The folder that results are written to.
-    #[arg(long, value_name = "DIR", default_value = "reports")]
-    pub(crate) out: PathBuf,
     /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
     #[arg(long, value_name = "TEXT")]
     pub(crate) filter: Option<String>,
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,
+}
+
+/// Where the results of a run go, and how fast.
+#[derive(Args, Debug)]
+pub(crate) struct Output {
+    /// Worker threads [default: one per CPU]; results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = number::jobs)]
+    pub(crate) jobs: Option<usize>,
+    /// The folder that results are written to.
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub(crate) out: PathBuf,
+    /// Print the JSON of the results instead of a line per subject.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Show no progress, and only what is not as expected.
+    #[arg(long)]
+    pub(crate) quiet: bool,
+}
+
+/// `freepath check`.
+#[derive(Args, Debug)]
+pub(crate) struct Check {
+    /// A file of samples that any program has drawn: .npy, .csv, .txt or .f64; `-` is standard input.
+    #[arg(value_name = "SAMPLES", allow_hyphen_values = true)]
+    pub(crate) samples: String,
+    /// The case whose medium they were drawn in; its subjects are left out.
+    #[arg(long, value_name = "CASE")]
+    pub(crate) case: PathBuf,
+    /// What they are.
+    #[arg(long = "as", value_name = "KIND")]
+    pub(crate) kind: Kind,
+    /// The column of the draws, by name or by number from 0 [default: the only one].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) column: Option<String>,
+    /// The column of the statistical weights of free paths.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) weight: Option<String>,
+    /// Which free paths are escapes: those at infinity, or those at the length of the ray or beyond.
+    #[arg(long, value_name = "AT", value_parser = named::<Escape>, default_value = "infinity")]
+    pub(crate) escape: Escape,
+    /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
+    #[arg(long, value_name = "FORMAT", value_parser = named::<Format>)]
+    pub(crate) format: Option<Format>,
+    /// Judge so many draws, from the first on [default: all]; needed on standard input.
+    #[arg(long, value_name = "N", value_parser = number::draws)]
+    pub(crate) draws: Option<u64>,
+    /// Samples may be off by so much in every claim [default: the case's, else 6e-8 if they are float32, else 0].
+    #[arg(long, value_name = "X")]
+    pub(crate) tolerance: Option<f64>,
+    /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
+    #[arg(long, value_name = "N")]
+    pub(crate) resolution_bits: Option<u32>,
+    /// The ray that they were drawn along, from 0, if the case has several.
+    #[arg(long, value_name = "I")]
+    pub(crate) ray: Option<usize>,
+    /// Let the case name files outside its own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// What samples are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub(crate) enum Kind {
+    /// Distances to the first collision.
+    FreePath,
+    /// Estimates of the transmittance of the whole ray.
+    Transmittance,
+    /// Tables of t, event and one weight per channel.
+    Chromatic,
+}
+
+/// A value that a case would name.
+fn named<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_value(text.into()).map_err(|why| why.to_string())
 }
 
 /// `freepath medium`.

@@ -10,6 +10,7 @@ mod progress;
 mod reference;
 mod screen;
 mod session;
+mod signal;
 mod table;
 mod trouble;
 
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
     let Command { verb, color } = Command::parse();
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
         Verb::Power(args) => cmd::power::power(args, color),
         Verb::Schema => cmd::schema::schema(),

@@ -17,11 +17,6 @@ impl Bar {
         Self(bar)
     }
 
-    /// Takes the bar off the screen.
-    pub(crate) fn finish(&self) {
-        self.0.finish_and_clear();
-    }
-
     /// Takes in what the run tells.
     pub(crate) fn tell(&self, progress: Progress, subject: &str) {
         match progress {

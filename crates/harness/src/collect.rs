@@ -3,7 +3,7 @@
 use crate::audit::Audit;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
-use crate::subject::{BLOCK, Subject};
+use crate::subject::{BLOCK, Subject, Work};
 use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
@@ -11,6 +11,8 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
+
+mod samples;
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
@@ -31,6 +33,8 @@ pub struct Counts {
     pub ties: TieTally,
     /// Free paths whose weight is not 1.
     pub weighted: u64,
+    /// Distances that are NaN, and those outside the ray, where no law counts them.
+    pub strays: [u64; 2],
     /// Look-ups by block.
     pub lookups: BlockLookups,
     /// Look-ups, all told.
@@ -65,6 +69,8 @@ pub enum Stopped {
 
 /// The float sums of one block.
 struct BlockSums {
+    /// The block's number.
+    block: u64,
     rows: u64,
     mean: Option<PowerSums>,
     channels: Vec<(PowerSums, PowerSums)>,
@@ -96,11 +102,16 @@ impl Worker {
         let record = sample_block(subject, key, row, &mut self.draws)?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
+        Ok(self.tally(plan, key.block, first, record.seconds))
+    }
+
+    /// Folds the draws of `block`, which took so many seconds.
+    fn tally(&mut self, plan: &Plan, block: u64, first: bool, seconds: f64) -> BlockSums {
         self.count(plan, first);
-        let early = if row == 0 { self.early(plan) } else { Vec::new() };
+        let early = if block == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
         let rows = self.draws.rows as u64;
-        Ok(BlockSums { rows, mean, channels: self.channels(plan), seconds: record.seconds, early })
+        BlockSums { block, rows, mean, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -115,6 +126,11 @@ impl Worker {
             }
             let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
             counts.weighted += weighted.count() as u64;
+        } else if let Some(channels) = &plan.channels {
+            let inside = |t: f64| (t >= 0.0 && t <= channels.length) || t == f64::INFINITY;
+            let count = |stray: &dyn Fn(f64) -> bool| draws.t.iter().filter(|&&t| stray(t)).count() as u64;
+            counts.strays[0] += count(&f64::is_nan);
+            counts.strays[1] += count(&|t| !t.is_nan() && !inside(t));
         }
         if let Some(collisions) = &mut counts.collisions {
             collisions.observe(&draws.collisions, index);
@@ -160,6 +176,7 @@ impl Counts {
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
         self.weighted += other.weighted;
+        self.strays.iter_mut().zip(other.strays).for_each(|(all, more)| *all += more);
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
     }
@@ -214,10 +231,14 @@ impl Workers {
     }
 
     fn run(&self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
+        self.with(subject, plan, |worker| worker.run(subject, plan, key, first))
+    }
+
+    /// Puts the worker of this thread to `work`.
+    fn with<T>(&self, subject: &Subject, plan: &Plan, work: impl FnOnce(&mut Worker) -> T) -> T {
         let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
-        worker.run(subject, plan, key, first)
+        work(slot.get_or_insert_with(|| Worker::new(subject, plan)))
     }
 
     /// The counts of all workers; none if nobody worked.
@@ -242,6 +263,9 @@ pub fn collect(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
+    if let Work::Samples(_, source) = subject.work {
+        return samples::collect(source, subject, plan, seed, blocks, watch);
+    }
     let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {

@@ -91,6 +91,9 @@ impl Judged {
         }
         let spoilt: u64 = seen.channels.iter().map(|(weights, _)| weights.non_finite).sum();
         self.fact("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite");
+        let [nan, outside] = seen.counts.strays;
+        self.fact("finite", nan, Reason::NonFinite, "draws are NaN");
+        self.fact("support", outside, Reason::OutOfSupport, "draws lie outside the ray");
     }
 
     fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
@@ -122,7 +125,7 @@ impl Judged {
         }
     }
 
-    /// The tests of one law: escape atom, chi-square at three scales, Kolmogorov-Smirnov.
+    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs.
     fn follows(&mut self, prefix: &str, law: &Law, cells: &CellTally, reason: Reason) {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
@@ -132,6 +135,9 @@ impl Judged {
             test::chi_square("chi_square_64", law, cells, 64, reason),
             test::chi_square("chi_square_fine", law, cells, fine, reason),
             test::kolmogorov(law, cells, reason),
+            test::anderson_darling(law, cells, reason),
+            test::cramer_von_mises(law, cells, reason),
+            test::kuiper(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));

@@ -45,6 +45,7 @@ pub mod real;
 pub mod results;
 pub mod run;
 pub mod sample;
+pub mod samples;
 pub mod scripted;
 pub mod source;
 pub mod special;

@@ -2,10 +2,11 @@
 
 use crate::case::Claim;
 use crate::law::Law;
+use crate::samples::SampleKind;
 use crate::subject::{Scene, Subject, Work};
 use crate::tally::Scores;
 use crate::test::{MeanClaim, pair_probability};
-use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
+use freepath_estimators::claims::{ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::{ChromaticSampler, Medium};
 
@@ -58,6 +59,7 @@ impl Plan {
                 Self::transmittance(subject, truth, &estimator.claims(truth))
             }
             (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Self::chromatic(subject, sampler, medium),
+            (Work::Samples(kind, _), scene) => Self::samples(subject, kind, scene),
             _ => Self::nothing(),
         };
         plan.bounded &= subject.claims(Claim::Bounded);
@@ -108,6 +110,27 @@ impl Plan {
             bounded: claims.bounded,
             order,
             ..Self::nothing()
+        }
+    }
+
+    /// What is true of any right sampler, whoever made it.
+    fn samples(subject: &Subject, kind: SampleKind, scene: Scene) -> Self {
+        let channels = |channels| Self { channels: Some(channels), ..Self::nothing() };
+        match (kind, scene) {
+            (SampleKind::FreePath, Scene::Grey { truth, .. }) => {
+                Self::free_path(subject, truth, &FreePathClaims { bounded: false, ..FreePathClaims::default() })
+            }
+            (SampleKind::WeightedFreePath, Scene::Grey { truth, .. }) => {
+                channels(ChannelsPlan::of_weighted(subject, truth))
+            }
+            (SampleKind::Transmittance, Scene::Grey { truth, .. }) => {
+                let claims = TransmittanceClaims { bounded: false, ..TransmittanceClaims::default() };
+                Self::transmittance(subject, truth, &claims)
+            }
+            (SampleKind::Chromatic, Scene::Chromatic(medium)) => {
+                channels(ChannelsPlan::of_channels(subject, medium, &ChromaticClaims::default()))
+            }
+            _ => Self::nothing(),
         }
     }
 

@@ -67,6 +67,14 @@ pub(crate) struct Trial<'a> {
     seconds: f64,
 }
 
+impl Trial<'_> {
+    /// Whether there is a second stage: for a suspect, and where its draws are made already.
+    fn goes_on(&self) -> bool {
+        let read = self.first.collected.is_some() && self.subject.work.finished();
+        read || suspect(&self.first.judged)
+    }
+}
+
 /// What stage 1 gave.
 pub(crate) struct Stage1 {
     pub(crate) judged: Judged,
@@ -82,10 +90,11 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     plan_stage_one(cases, options);
     for case in cases {
         for prepared in &case.subjects {
-            trials.push(stage_one(case, prepared, options)?);
+            let subject = prepared.runnable(&case.world, &case.case);
+            trials.push(stage_one(case, prepared, subject, options)?);
         }
     }
-    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
+    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
         plan_stage_two(trial, options);
     }
@@ -100,25 +109,34 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+        let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
+        (options.progress)(Progress::Planned(draws), &prepared.name);
     }
 }
 
 fn plan_stage_two(trial: &Trial, options: &Options) {
-    let draws = 2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64;
+    let file = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+    let draws = file.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
     (options.progress)(Progress::Planned(draws), &trial.prepared.name);
 }
 
-/// One subject through stage 1 and, if it is suspect, stage 2: as in a run, but for the decision, which is not made.
+/// One subject through stage 1 and, if it goes on, stage 2: as in a run, but for the decision, which is not made. With other
+/// draws than the case's if `draws` says so: below a block, each block is cut short.
 pub(crate) fn tried<'a>(
     case: &'a Prepared,
     prepared: &'a PreparedSubject,
+    draws: Option<u64>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let draws = Subject::blocks(prepared.draws) * prepared.rows as u64;
-    (options.progress)(Progress::Planned(draws), &prepared.name);
-    let mut trial = stage_one(case, prepared, options)?;
-    if suspect(&trial.first.judged) {
+    let mut subject = prepared.runnable(&case.world, &case.case);
+    subject.draws = draws.unwrap_or(subject.draws);
+    if draws.is_some_and(|draws| draws < BLOCK as u64) {
+        subject.rows = subject.draws as usize;
+    }
+    let planned = Subject::blocks(subject.draws) * subject.rows as u64;
+    (options.progress)(Progress::Planned(planned), &prepared.name);
+    let mut trial = stage_one(case, prepared, subject, options)?;
+    if trial.goes_on() {
         plan_stage_two(&trial, options);
         stage_two(&mut trial, options)?;
     }
@@ -133,9 +151,9 @@ pub(crate) fn whole(draws: u64) -> u64 {
 fn stage_one<'a>(
     case: &'a Prepared,
     prepared: &'a PreparedSubject,
+    subject: Subject<'a>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let subject = prepared.runnable(&case.world, &case.case);
     let plan = Plan::of(&subject);
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);

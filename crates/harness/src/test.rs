@@ -2,10 +2,14 @@
 
 use crate::{identities, scripted};
 
+mod anderson_darling;
 mod atom;
 mod chi_square;
 mod coleman;
+mod cramer_von_mises;
+mod grouped;
 mod kolmogorov;
+mod kuiper;
 mod lag;
 mod lookups;
 mod mean;
@@ -13,11 +17,14 @@ mod poisson_count;
 mod second_moment;
 mod ties;
 
+pub use anderson_darling::anderson_darling;
 pub use atom::atom;
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
+pub use cramer_von_mises::cramer_von_mises;
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
+pub use kuiper::kuiper;
 pub use lag::lag;
 pub use lookups::{BlockLookups, lookups};
 pub(crate) use mean::bernstein_width;
@@ -53,6 +60,9 @@ pub const NAMES: &[(&str, &str)] = &[
     ("chi_square_64", chi_square::WORDS),
     ("chi_square_fine", chi_square::WORDS),
     ("kolmogorov", kolmogorov::WORDS),
+    ("anderson_darling", anderson_darling::WORDS),
+    ("cramer_von_mises", cramer_von_mises::WORDS),
+    ("kuiper", kuiper::WORDS),
     ("coleman", coleman::WORDS),
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),

@@ -1,7 +1,7 @@
 //! `freepath power`: how many draws each planted fault needs to be seen, and what sees it.
 
 use crate::args::{Power, When};
-use crate::session::Session;
+use crate::session::{Session, prepared, repro};
 use crate::table::power::{grids, summary};
 use crate::trouble::Trouble;
 use crate::{files, screen};
@@ -12,28 +12,30 @@ use std::io::{IsTerminal, stdout};
 
 /// Nothing is written before every draw is done.
 pub(crate) fn power(args: &Power, color: When) -> Result<u8, Trouble> {
-    let session = Session::open("power", &args.paths, &args.sampling, args.quiet, color)?;
-    let results = session.draw(power::power)?;
+    let Power { paths, sampling, output, markdown } = args;
+    let cases = prepared(paths, sampling, &output.out, color)?;
+    let session = Session::open(output, sampling.seed, repro("power", paths, sampling))?;
+    let results = session.draw(|options| power::power(&cases, options))?;
     let text = serde_json::to_string_pretty(&results).map_err(|why| Trouble::Running(why.to_string()))? + "\n";
-    let file = args.sampling.out.join("power.json");
+    let file = output.out.join("power.json");
     files::write(&file, &text)?;
-    match (args.json, args.markdown) {
+    match (output.json, markdown) {
         (true, _) => screen::print(&text)?,
-        (_, true) => screen::print(&markdown(&results))?,
-        _ => show(args, color, &results)?,
+        (_, true) => screen::print(&in_markdown(&results))?,
+        _ => show(output.quiet, color, &results)?,
     }
-    if !args.json && !args.markdown && !args.quiet {
+    if !output.json && !markdown && !output.quiet {
         screen::print(&format!("{}table: {}\n", summary(&results), file.display()))?;
     }
     Ok(exit_code(&results))
 }
 
-fn show(args: &Power, color: When, results: &PowerResults) -> Result<(), Trouble> {
+fn show(quiet: bool, color: When, results: &PowerResults) -> Result<(), Trouble> {
     let color = color.colors(stdout().is_terminal());
     let paint = |line: &str, good| {
         if color { screen::painted(line, Verdict::Fail, good) } else { line.to_string() }
     };
-    for grid in grids(results, false, |row| !(args.quiet && row.as_expected)) {
+    for grid in grids(results, false, |row| !(quiet && row.as_expected)) {
         screen::print(&(grid.text(paint) + "\n"))?;
     }
     Ok(())
@@ -51,7 +53,7 @@ In rows that hide their fault no p-value fails the subject at full effort, thoug
 the least of stage 1, before Holm. `seen by` tells what fails it all the same, without a p-value.
 ";
 
-fn markdown(results: &PowerResults) -> String {
+fn in_markdown(results: &PowerResults) -> String {
     let tables: Vec<_> = grids(results, true, |_| true).iter().map(|grid| grid.markdown()).collect();
     let made =
         format!("Made by `{} --markdown`.\n", results.repro.replacen("freepath", "cargo run --release --", 1));

@@ -1,11 +1,12 @@
 //! `freepath run`: cases in, a line for each subject and a report out.
 
-use crate::args::{Run, When};
+use crate::args::{Output, Run, When};
 use crate::cmd::report;
-use crate::session::Session;
+use crate::session::{Session, prepared, repro};
 use crate::trouble::Trouble;
 use crate::{files, screen, table};
 use freepath_estimators::simd;
+use freepath_harness::case::Prepared;
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
 use freepath_harness::run::{self, Outcome, exit_code};
@@ -14,14 +15,27 @@ use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
-    let session = Session::open("run", &args.paths, &args.sampling, args.quiet, color)?;
+    let Run { paths, sampling, output } = args;
+    let cases = prepared(paths, sampling, &output.out, color)?;
+    judge(&cases, sampling.seed, repro("run", paths, sampling), output, color)
+}
+
+/// Runs `cases`, shows what was found and writes the report.
+pub(crate) fn judge(
+    cases: &[Prepared],
+    seed: u64,
+    repro: String,
+    args: &Output,
+    color: When,
+) -> Result<u8, Trouble> {
+    let session = Session::open(args, seed, repro)?;
     let start = Instant::now();
-    let outcome = session.draw(run::run)?;
+    let outcome = session.draw(|options| run::run(cases, options))?;
     let text = freepath_report::json(&outcome.results).map_err(running)?;
     show(args, color, &outcome, &text)?;
     write(args, &outcome, &text, start)?;
     if !args.json && !args.quiet {
-        screen::print(&table::summary(&outcome.results, &args.sampling.out))?;
+        screen::print(&table::summary(&outcome.results, &args.out))?;
     }
     Ok(exit_code(&outcome.results))
 }
@@ -30,7 +44,7 @@ fn running(why: impl std::fmt::Display) -> Trouble {
     Trouble::Running(why.to_string())
 }
 
-fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
+fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
     if args.json {
         return screen::print(text);
     }
@@ -40,19 +54,19 @@ fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Tr
 }
 
 /// The page comes last: whoever finds it finds the rest. It is a view of results.json, to the last digit.
-fn write(args: &Run, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
+fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
     let run = freepath_report::run_id(text);
     let timings = Timings {
         run: run.clone(),
         seconds: Real(start.elapsed().as_secs_f64()),
-        jobs: args.sampling.jobs.unwrap_or_else(rayon::current_num_threads),
+        jobs: args.jobs.unwrap_or_else(rayon::current_num_threads),
         isa: simd::isa().name().into(),
         subjects: outcome.timings.clone(),
     };
     let clock = serde_json::to_string_pretty(&timings).map_err(running)? + "\n";
-    files::write(&args.sampling.out.join("results.json"), text)?;
-    files::write(&args.sampling.out.join("timings.json"), &clock)?;
+    files::write(&args.out.join("results.json"), text)?;
+    files::write(&args.out.join("timings.json"), &clock)?;
     let results = serde_json::from_str(text).map_err(running)?;
     let timings = serde_json::from_str(&clock).map_err(running)?;
-    report::page(&results, &run, Some(&timings), &args.sampling.out)
+    report::page(&results, &run, Some(&timings), &args.out)
 }

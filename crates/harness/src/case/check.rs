@@ -6,6 +6,9 @@ use std::collections::HashSet;
 impl CaseFile {
     /// `why` the case cannot be judged, at `path`.
     pub(super) fn refuse(&self, path: &str, why: impl std::fmt::Display) -> CaseError {
+        if self.checked.is_some() && path.starts_with("subjects") {
+            return CaseError::File(why.to_string()); // no place of this file
+        }
         self.source.diagnose(path, format!("cannot judge the case: {why}")).into()
     }
 

@@ -1,4 +1,5 @@
-use super::{ChromaticMedium, ChromaticSampler, MeanClaim, Subject};
+use super::{ChromaticMedium, ChromaticSampler, MeanClaim, Medium, Subject};
+use crate::law::Law;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::quadrature::integrate;
 
@@ -56,6 +57,8 @@ pub struct ChannelClaim {
 
 /// Every weighted mean of a chromatic sampler.
 pub struct ChannelsPlan {
+    /// Length of the ray.
+    pub length: f64,
     /// Channel by channel: scatter, surface, then bins of t.
     pub claims: Vec<ChannelClaim>,
     /// The integral of the pdf over the ray plus the probability of the surface, if the sampler offers its pdf.
@@ -73,13 +76,42 @@ impl ChannelsPlan {
         claims: &ChromaticClaims,
     ) -> Self {
         let channels = medium.channels();
-        let length = medium.length();
-        let each = |k| of_channel(subject, k, &channels, length, claims);
-        let claims = (0..channels.len()).flat_map(each).collect();
         let inside = |t: f64| sampler.pdf(&channels, t).unwrap_or(f64::NAN);
         let surface = sampler.pdf(&channels, f64::INFINITY);
-        let pdf_integral = surface.map(|surface| surface + integrate(&inside, 0.0, length, &[]).value);
-        Self { claims, pdf_integral }
+        let integral = |surface| surface + integrate(&inside, 0.0, medium.length(), &[]).value;
+        Self { pdf_integral: surface.map(integral), ..Self::of_channels(subject, medium, claims) }
+    }
+
+    /// What any unbiased sampler of these channels must give, and what `claims` says beyond that.
+    pub(super) fn of_channels(subject: &Subject, medium: &ChromaticMedium, claims: &ChromaticClaims) -> Self {
+        let (channels, length) = (medium.channels(), medium.length());
+        let each = |k| of_channel(subject, k, &channels, length, claims);
+        let claims = (0..channels.len()).flat_map(each).collect();
+        Self { length, claims, pdf_integral: None }
+    }
+
+    /// Weighted free paths in one extinction: a single channel without absorption.
+    pub(super) fn of_weighted(subject: &Subject, truth: &dyn Medium) -> Self {
+        let length = truth.length();
+        let survival = |t: f64| libm::exp(-truth.tau(t));
+        let slack = subject.tolerance * (1.0 + Law::new(length, 0.0, survival).steepness()) + truth.tau_error();
+        let claim = |event, name, expected| ChannelClaim {
+            channel: 0,
+            event,
+            name,
+            mean: weights(expected, None, None, slack),
+            second_moment: None,
+        };
+        let bin = |bin: usize| {
+            let [from, to] = [bin, bin + 1].map(|bin| length * bin as f64 / BINS as f64);
+            claim(Event::Between(from, to), format!("scatter_0_bin_{bin}"), survival(from) - survival(to))
+        };
+        let mut claims = vec![
+            claim(Event::Scatter, "scatter_0".into(), -libm::expm1(-truth.tau(length))),
+            claim(Event::Surface, "surface_0".into(), survival(length)),
+        ];
+        claims.extend((0..BINS).map(bin));
+        Self { length, claims, pdf_integral: None }
     }
 }
 

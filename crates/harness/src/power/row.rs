@@ -9,7 +9,6 @@ use crate::fault::Expectation;
 use crate::plan::Design;
 use crate::results::{PowerRow, Role, Rung};
 use crate::run::{Cancelled, Options, expected, id, tried, whole};
-use crate::subject::BLOCK;
 use crate::verdict::{Reason, Verdict};
 
 /// What is expected of a row, and the reason that it must fail for, if a particular one.
@@ -54,7 +53,7 @@ struct Found {
 
 /// One subject at full effort and, if it must be caught and is, at growing draws.
 pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options) -> Result<PowerRow, Cancelled> {
-    let trial = tried(case, prepared, options)?;
+    let trial = tried(case, prepared, None, options)?;
     let (design, draws) = (trial.plan.design, whole(prepared.draws));
     let aim = Aim::of(prepared, design);
     let full = Outcome::of(&trial, draws, aim.family());
@@ -62,7 +61,7 @@ pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options
     let held = |decision: &Decision| expected(prepared.spec.expect, !prepared.faults.is_empty(), design, decision);
     let (expected, _, as_expected) = held(&full.decision);
     let mut found = Found { aim, expected, as_expected, silent, full, fewest: None, ladder: Vec::new() };
-    if found.caught() {
+    if found.caught() && prepared.source.is_none() {
         let fails = |decision: &Decision| decision.verdict == Verdict::Fail && held(decision).2;
         (found.fewest, found.ladder) = climb(case, prepared, options, &fails)?;
     }
@@ -78,9 +77,7 @@ fn climb(
 ) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
     let (mut draws, mut ladder) = (FEWEST, Vec::new());
     while draws < whole(prepared.draws) {
-        let rows = if draws < BLOCK as u64 { draws as usize } else { BLOCK };
-        let fewer = PreparedSubject { draws, rows, ..prepared.clone() };
-        let outcome = Outcome::of(&tried(case, &fewer, options)?, draws, FAMILY);
+        let outcome = Outcome::of(&tried(case, prepared, Some(draws), options)?, draws, FAMILY);
         ladder.push(outcome.rung.clone());
         if fails(&outcome.decision) {
             return Ok((Some(outcome), ladder));

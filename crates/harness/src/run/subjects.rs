@@ -11,7 +11,9 @@ use crate::results::{
     Atom, AuditResult, ChannelResult, Efficiency, FactResult, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
+use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
+use crate::subject::Work;
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, larger, mean};
 use crate::verdict::Reason;
@@ -51,6 +53,7 @@ pub(super) fn result(
         innocent: prepared.spec.innocent,
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
+        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
         law: cells.map(|(plan, cells)| law_result(plan, cells)),
@@ -107,7 +110,11 @@ pub fn quoted(text: &str) -> String {
 }
 
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let flags = options.repro.rfind(" --seed ").map_or("", |at| &options.repro[at..]);
+    let flags = match options.repro.rfind(" --seed ") {
+        Some(at) => &options.repro[at..],
+        None if options.repro.is_empty() => "",
+        None => return options.repro.clone(), // nothing is drawn: the command is about this subject alone
+    };
     format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
@@ -230,6 +237,7 @@ fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
     let refusal = match () {
         () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
         () if exact => "zero variance: exact",
+        () if matches!(trial.subject.work, Work::Samples(..)) => "samples: look-ups are not known",
         () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
             "dominated by rare events"
         }
