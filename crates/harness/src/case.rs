@@ -85,10 +85,21 @@ pub struct Ray {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum BiasBound {
-    /// In units of the mean.
+    /// In units of the mean; for a free path a probability, the most that its distribution function may be off.
     Absolute(f64),
-    /// As a share of the expected mean.
+    /// As a share of the expected mean; for a free path of 1, the greatest value of a distribution function.
     Relative(f64),
+}
+
+impl BiasBound {
+    /// The bound on the error of something of this size.
+    #[must_use]
+    pub fn of(self, size: f64) -> f64 {
+        match self {
+            Self::Absolute(bound) => bound,
+            Self::Relative(share) => share * size,
+        }
+    }
 }
 
 /// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.

@@ -3,8 +3,9 @@
 use crate::audit::Audit;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
+use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject, Work};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
+use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -39,6 +40,8 @@ pub struct Counts {
     pub lookups: BlockLookups,
     /// Look-ups, all told.
     pub audit: Audit,
+    /// Of the column `weight`, or of each chromatic claim: the largest, where their range is not known.
+    pub tails: Vec<Option<Tail>>,
 }
 
 /// Everything that was folded from a range of blocks.
@@ -50,8 +53,10 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
-    /// Of each chromatic claim: weights, and their squares.
-    pub channels: Vec<(PowerSums, PowerSums)>,
+    /// What the bets of the plan gained.
+    pub capitals: Capitals,
+    /// Of the weights of each chromatic claim.
+    pub channels: Vec<PowerSums>,
     /// Draws taken.
     pub draws: u64,
     /// Seconds of sampling, summed over threads.
@@ -73,7 +78,8 @@ struct BlockSums {
     block: u64,
     rows: u64,
     mean: Option<PowerSums>,
-    channels: Vec<(PowerSums, PowerSums)>,
+    capitals: Capitals,
+    channels: Vec<PowerSums>,
     seconds: f64,
     /// For the first block: sums over its first draws.
     early: Vec<PowerSums>,
@@ -92,7 +98,8 @@ impl Worker {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts { cells, collisions, ..Counts::default() };
+        let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
+        let counts = Counts { cells, collisions, tails, ..Counts::default() };
         Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
@@ -110,8 +117,12 @@ impl Worker {
         self.count(plan, first);
         let early = if block == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
+        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
+            tail.observe(&self.draws.weight);
+        }
+        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
         let rows = self.draws.rows as u64;
-        BlockSums { block, rows, mean, channels: self.channels(plan), seconds, early }
+        BlockSums { block, rows, mean, capitals, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -145,23 +156,22 @@ impl Worker {
         counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
     }
 
-    fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
+    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
         let Some(channels) = &plan.channels else {
             return Vec::new();
         };
-        let Self { draws, masked, .. } = self;
-        let mut one = |claim: &crate::plan::ChannelClaim| {
+        let Self { draws, masked, counts, .. } = self;
+        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Option<Tail>)| {
             let column = &draws.channels[claim.channel];
             masked.clear();
             masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
-            let weights = PowerSums::of(claim.mean.expected, masked);
-            masked.iter_mut().for_each(|w| *w *= *w);
-            (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
+            tail.iter_mut().for_each(|tail| tail.observe(masked));
+            PowerSums::of(claim.mean.expected, masked)
         };
-        channels.claims.iter().map(&mut one).collect()
+        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
     }
 }
 
@@ -179,18 +189,22 @@ impl Counts {
         self.strays.iter_mut().zip(other.strays).for_each(|(all, more)| *all += more);
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
+        for (a, b) in self.tails.iter_mut().zip(&other.tails) {
+            if let (Some(a), Some(b)) = (a, b) {
+                a.merge(b);
+            }
+        }
     }
 }
 
 impl Collected {
     fn new(plan: &Plan) -> Self {
-        let sums = |claim: &crate::plan::ChannelClaim| {
-            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
-        };
+        let sums = |claim: &crate::plan::ChannelClaim| PowerSums::new(claim.mean.expected);
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
             seconds: 0.0,
@@ -204,12 +218,36 @@ impl Collected {
             a.merge(b);
             self.running.note(a);
         }
-        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
+        self.capitals.merge(&block.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
             weights.merge(w);
-            squares.merge(s);
         }
         self.draws += block.rows;
         self.seconds += block.seconds;
+    }
+
+    /// Takes in later draws; the running mean stays as it is.
+    pub fn merge(&mut self, next: Self) {
+        if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
+            a.merge(b);
+        }
+        self.capitals.merge(&next.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&next.channels) {
+            weights.merge(w);
+        }
+        self.counts.merge(next.counts);
+        self.draws += next.draws;
+        self.seconds += next.seconds;
+        self.fit_tails();
+    }
+
+    /// Notes the Pareto shape of each column whose tail was kept.
+    fn fit_tails(&mut self) {
+        let Self { counts, mean, channels, .. } = self;
+        let columns = mean.iter_mut().chain(channels.iter_mut());
+        for (sums, tail) in columns.zip(&counts.tails) {
+            sums.shape = tail.as_ref().and_then(|tail| tail.shape(sums.n));
+        }
     }
 }
 
@@ -290,5 +328,6 @@ pub fn collect(
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
     Ok(collected)
 }

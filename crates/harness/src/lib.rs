@@ -47,6 +47,7 @@ pub mod run;
 pub mod sample;
 pub mod samples;
 pub mod scripted;
+pub mod sequence;
 pub mod source;
 pub mod special;
 pub mod subject;

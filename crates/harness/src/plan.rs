@@ -3,6 +3,7 @@
 use crate::case::Claim;
 use crate::law::Law;
 use crate::samples::SampleKind;
+use crate::sequence::Bets;
 use crate::subject::{Scene, Subject, Work};
 use crate::tally::Scores;
 use crate::test::{MeanClaim, pair_probability};
@@ -26,6 +27,8 @@ pub struct Plan {
     pub law: Option<LawPlan>,
     /// Of the column `weight`.
     pub mean: Option<MeanPlan>,
+    /// What is bet on the draws while they grow towards a bound.
+    pub bets: Option<Bets>,
     /// Of the weights per channel.
     pub channels: Option<ChannelsPlan>,
     /// `collisions` is Poisson with this mean.
@@ -72,11 +75,22 @@ impl Plan {
         plan
     }
 
+    /// For the column `weight`, or for each chromatic claim: whether its largest values are kept, since neither a range nor a
+    /// moment by formula says that it has a variance.
+    #[must_use]
+    pub fn tails(&self) -> Vec<bool> {
+        let unknown = |claim: &MeanClaim| claim.range.is_none() && claim.variance.is_none();
+        let mean = self.mean.iter().map(|mean| unknown(&mean.truth));
+        let channels = self.channels.iter().flat_map(|channels| &channels.claims);
+        mean.chain(channels.map(|claim| claim.tail)).collect()
+    }
+
     /// A subject in a scene that does not fit it: no claim.
     fn nothing() -> Self {
         Self {
             law: None,
             mean: None,
+            bets: None,
             channels: None,
             poisson: None,
             lookups: None,
@@ -90,7 +104,7 @@ impl Plan {
         let law = LawPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, law.design_distance()));
         Self {
-            design: Design::of_law(&law, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_law(&law, draws)),
             law: Some(law),
             lookups: claims.lookups,
             bounded: claims.bounded,
@@ -103,7 +117,8 @@ impl Plan {
         let mean = MeanPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, mean.design_bias()));
         Self {
-            design: Design::of_mean(&mean, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_mean(&mean, draws)),
+            bets: mean.bets(subject),
             mean: Some(mean),
             poisson: claims.poisson,
             lookups: claims.lookups,

@@ -4,11 +4,13 @@ use crate::real::Real;
 use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
+mod grown;
 mod law;
 mod mean;
 mod medium;
 mod power;
 
+pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};

@@ -6,6 +6,7 @@ mod extremes;
 mod lag;
 mod smallest;
 mod sums;
+mod tail;
 mod ties;
 
 pub use cells::CellTally;
@@ -14,4 +15,5 @@ pub use extremes::{Extremes, KEPT};
 pub use lag::{LagTally, Scores};
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
+pub use tail::Tail;
 pub use ties::TieTally;

@@ -66,6 +66,12 @@ impl CaseFile {
         for (i, s) in case.subjects.iter().enumerate() {
             let at = format!("subjects[{i}].");
             self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
+            if s.chromatic.is_some() && s.bias_bound.or(case.bias_bound).is_some() {
+                let at = if s.bias_bound.is_some() { format!("{at}bias_bound") } else { "bias_bound".into() };
+                let why = "a chromatic subject has many means, which cannot grow towards one bias_bound (state it for free \
+                           paths and transmittances)";
+                return Err(self.refuse(&at, why));
+            }
         }
         Ok(())
     }

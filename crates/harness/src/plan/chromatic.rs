@@ -51,8 +51,10 @@ pub struct ChannelClaim {
     pub name: String,
     /// E[w; event].
     pub mean: MeanClaim,
-    /// E[w^2; event], where a formula is known.
-    pub second_moment: Option<f64>,
+    /// E[w^2; event], E[w^4; event] and E[w^6; event], where a formula is known.
+    pub moments: Option<[f64; 3]>,
+    /// Nothing says that the weights have a variance: no formula for the event, nor for any scattering.
+    pub tail: bool,
 }
 
 /// Every weighted mean of a chromatic sampler.
@@ -100,7 +102,8 @@ impl ChannelsPlan {
             event,
             name,
             mean: weights(expected, None, None, slack),
-            second_moment: None,
+            moments: None,
+            tail: true,
         };
         let bin = |bin: usize| {
             let [from, to] = [bin, bin + 1].map(|bin| length * bin as f64 / BINS as f64);
@@ -121,8 +124,8 @@ fn skewness(p: f64) -> f64 {
 }
 
 /// What is claimed of the weights of an event.
-fn weights(expected: f64, second_moment: Option<f64>, probability: Option<f64>, slack: f64) -> MeanClaim {
-    let variance = second_moment.map(|m2| m2 - expected * expected);
+fn weights(expected: f64, moments: Option<[f64; 3]>, probability: Option<f64>, slack: f64) -> MeanClaim {
+    let variance = moments.map(|[m2, ..]| m2 - expected * expected);
     MeanClaim {
         expected,
         slack,
@@ -143,18 +146,19 @@ fn of_channel(
     let (mu, albedo) = (channels[k].extinction.mu(0.0), channels[k].albedo);
     let between = |a: f64, b: f64| albedo * (libm::exp(-mu * a) - libm::exp(-mu * b));
     let edge = |bin: usize| length * bin as f64 / BINS as f64;
-    let claim = |event: Event, name: String, expected: f64, second_moment: Option<f64>| {
+    let claim = |event: Event, name: String, expected: f64, moments: Option<[f64; 3]>| {
         let mixture = claims.mixture.as_ref();
         let probability = mixture.map(|q| event.probability(channels, q));
         ChannelClaim {
             channel: k,
             event,
             name,
-            mean: weights(expected, second_moment, probability, subject.tolerance),
-            second_moment,
+            mean: weights(expected, moments, probability, subject.tolerance),
+            moments,
+            tail: moments.is_none() && (event == Event::Surface || claims.scatter_moments.is_none()),
         }
     };
-    let of = |moments: &Option<Vec<f64>>| moments.as_ref().and_then(|m| m.get(k).copied());
+    let of = |moments: &Option<Vec<[f64; 3]>>| moments.as_ref().and_then(|m| m.get(k).copied());
     let (scatter, surface) = (of(&claims.scatter_moments), of(&claims.surface_moments));
     let (scattered, through) = (between(0.0, length), libm::exp(-mu * length));
     let mut all = vec![
