@@ -5,7 +5,7 @@ use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
 use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject, Work};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
+use crate::tally::{Batch, Batches, CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -53,6 +53,8 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
+    /// Variance and cost of the column `weight` by groups of blocks.
+    pub batches: Batches,
     /// What the bets of the plan gained.
     pub capitals: Capitals,
     /// Of the weights of each chromatic claim.
@@ -78,6 +80,8 @@ struct BlockSums {
     block: u64,
     rows: u64,
     mean: Option<PowerSums>,
+    /// None of draws that come from a file.
+    lookups: u64,
     capitals: Capitals,
     channels: Vec<PowerSums>,
     seconds: f64,
@@ -109,7 +113,7 @@ impl Worker {
         let record = sample_block(subject, key, row, &mut self.draws)?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        Ok(self.tally(plan, key.block, first, record.seconds))
+        Ok(BlockSums { lookups: record.audit.lookups, ..self.tally(plan, key.block, first, record.seconds) })
     }
 
     /// Folds the draws of `block`, which took so many seconds.
@@ -122,7 +126,7 @@ impl Worker {
         }
         let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
         let rows = self.draws.rows as u64;
-        BlockSums { block, rows, mean, capitals, channels: self.channels(plan), seconds, early }
+        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
@@ -204,6 +208,7 @@ impl Collected {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            batches: Batches::default(),
             capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
@@ -217,6 +222,8 @@ impl Collected {
         if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
             a.merge(b);
             self.running.note(a);
+            let (n, [sum, squares, ..], lookups) = (b.n as f64, b.sums, block.lookups as f64);
+            self.batches.observe(Batch { n, sum, squares, lookups });
         }
         self.capitals.merge(&block.capitals);
         for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
@@ -226,7 +233,7 @@ impl Collected {
         self.seconds += block.seconds;
     }
 
-    /// Takes in later draws; the running mean stays as it is.
+    /// Takes in later draws; the running mean and the batches stay as they are.
     pub fn merge(&mut self, next: Self) {
         if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
             a.merge(b);

@@ -4,7 +4,7 @@ use crate::collect::Collected;
 use crate::evidence::{Evidence, Fact};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
-use crate::subject::{Scene, Subject};
+use crate::subject::{Scene, Subject, Work};
 use crate::tally::{CellTally, PowerSums};
 use crate::test;
 use crate::verdict::Reason;
@@ -26,6 +26,7 @@ pub struct Judged {
 pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
     let mut judged = Judged::default();
     judged.audit(plan, seen);
+    judged.few(subject, seen);
     if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
         judged.law(subject, law, cells, seen);
     }
@@ -65,6 +66,13 @@ fn pdf_integral(integral: f64) -> Evidence {
     Evidence::new("pdf_integral", integral - 1.0, None, f64::from(u8::from(same)), Reason::WrongLaw)
 }
 
+/// Fewest rows of samples in stage 1 that can give a pass.
+const FEWEST_ROWS: u64 = 1000;
+
+/// Why samples tie, as often as not.
+const FEW_DIGITS: &str =
+    "numbers printed with few digits repeat: print 17, or state `resolution_bits` and `tolerance`";
+
 impl Judged {
     /// What is said of a subject that did not finish its draws.
     #[must_use]
@@ -75,6 +83,14 @@ impl Judged {
     fn fact(&mut self, check: &'static str, count: u64, reason: Reason, what: &str) {
         if count > 0 {
             self.facts.push(Fact::new(check, reason, format!("{count} {what}")));
+        }
+    }
+
+    /// Files may hold a handful of draws, which contradict nothing.
+    fn few(&mut self, subject: &Subject, seen: &Collected) {
+        if matches!(subject.work, Work::Samples(..)) && seen.draws < FEWEST_ROWS {
+            let why = format!("{} draws in stage 1 (at least {FEWEST_ROWS} for a pass)", seen.draws);
+            self.gates.push((Reason::NotEnoughDraws, why));
         }
     }
 
@@ -118,7 +134,9 @@ impl Judged {
             self.evidence.push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
         }
         if let Some(pair) = plan.pair {
-            self.evidence.push(test::ties(&seen.counts.ties, cells.collided(), pair));
+            let ties = test::ties(&seen.counts.ties, cells.collided(), pair);
+            let samples = matches!(subject.work, Work::Samples(..)) && ties.statistic > 0.0;
+            self.evidence.push(if samples { ties.noted(FEW_DIGITS) } else { ties });
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));

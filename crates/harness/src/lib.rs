@@ -41,6 +41,7 @@ pub mod law;
 pub mod noiseless;
 pub mod plan;
 pub mod power;
+pub mod ranking;
 pub mod real;
 pub mod results;
 pub mod run;

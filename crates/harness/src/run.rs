@@ -13,6 +13,7 @@ use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
+mod efficiency;
 mod expect;
 mod grow;
 mod media;
@@ -211,7 +212,8 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
-        draws = growth.confirm(subject, plan, collected, 2 * grown.draws, &mut judged)?;
+        let most = if subject.work.finished() { 0 } else { 2 * grown.draws };
+        draws = growth.confirm(subject, plan, collected, most, &mut judged)?;
     }
     *second = Some((judged, draws));
     Ok(())
@@ -235,6 +237,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         draws: result.draws,
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
+    let rankings = efficiency::rankings(trials, &results);
     let results = Results {
         schema_version: SCHEMA_VERSION,
         version: env!("CARGO_PKG_VERSION").into(),
@@ -246,6 +249,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         repro: options.repro.clone(),
         media: cases.iter().map(medium_result).collect(),
         results,
+        rankings,
     };
     Outcome { results, timings }
 }

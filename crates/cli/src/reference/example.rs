@@ -11,6 +11,7 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
         _ if (kind, name) == ("medium", "formula") => {
             json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
         }
+        _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         body => json!({ name: value(schema, name, body) }),
     };
     match kind {

@@ -5,5 +5,6 @@ mod medium;
 mod output;
 mod power;
 mod reference;
+mod samples;
 mod signals;
 mod support;

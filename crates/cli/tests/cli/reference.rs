@@ -55,8 +55,16 @@ fn every_example_can_be_run() {
         if ["test", "check"].contains(&kind) || name == "voxel_grid" {
             continue;
         }
+        if (kind, name) == ("chromatic", "samples") {
+            let mut case = case(kind, &example(&folder, kind, name));
+            case["subjects"][0]["chromatic"]["samples"]["file"] = json!("table.csv");
+            put(&folder, "cases/table.csv", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n");
+            put(&folder, &format!("cases/{i}.json"), &case.to_string());
+            continue;
+        }
         put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
+    put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
 }

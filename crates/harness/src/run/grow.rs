@@ -4,7 +4,7 @@
 //! number of draws, p = 1 / max e, and enters Holm's procedure of stage 1 beside all others. If it is at most the stage's
 //! error, stage 2 grows fresh draws, up to twice as many, and their p-value enters Holm's procedure of stage 2. So growth
 //! spends no error of its own: a failure needs both stages at 1e-3, and a run's false alarms stay at 1e-6. The other tests
-//! are read once, at the case's draws. A bound is stated at the reporting level; the level of a mean of known range is split
+//! are read once, at the case's draws. A finished file has no more draws: it is looked at once in each stage. A bound is stated at the reporting level; the level of a mean of known range is split
 //! between its bets and its interval.
 
 use super::Cancelled;
@@ -61,7 +61,7 @@ impl Growth<'_> {
             let outcome = match () {
                 () if rejected_already(judged) || !(look.p > REJECTED) => GrownOutcome::Rejected,
                 () if look.bound <= question.target() => GrownOutcome::Proven,
-                () if 2 * seen.draws > subject.budget => GrownOutcome::BudgetEnded,
+                () if 2 * seen.draws > subject.budget || subject.work.finished() => GrownOutcome::BudgetEnded,
                 () => {
                     let blocks = Subject::blocks(seen.draws);
                     question.bet(plan, &seen);
@@ -90,7 +90,8 @@ impl Growth<'_> {
         let Some(mut question) = Question::of(subject, plan) else { return Ok(seen.draws) };
         loop {
             let look = question.look(plan, &seen);
-            let left = Subject::blocks(most.saturating_sub(seen.draws));
+            let fresh = if subject.work.finished() { 0 } else { most.saturating_sub(seen.draws) };
+            let left = Subject::blocks(fresh);
             if !(look.p > REJECTED) || left == 0 {
                 judged.evidence.push(look.evidence(&question, seen.draws));
                 return Ok(seen.draws);
