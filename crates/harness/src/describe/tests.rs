@@ -5,11 +5,15 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("chi_square_64", CHI_SQUARE),
     ("chi_square_fine", CHI_SQUARE),
     ("kolmogorov", KOLMOGOROV),
+    ("anderson_darling", ANDERSON_DARLING),
+    ("cramer_von_mises", CRAMER_VON_MISES),
+    ("kuiper", KUIPER),
     ("coleman", COLEMAN),
     ("poisson_count", POISSON_COUNT),
     ("ties", TIES),
     ("lag_1", LAG),
     ("mean", MEAN),
+    ("growth", GROWTH),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
     ("pdf_integral", PDF_INTEGRAL),
@@ -40,6 +44,30 @@ D = sup |F_m(u) - u| over the edges of the fine cells,   u = F(t) / F(length) of
 Gate:    at least one collision. Edges make the p-value a few percent conservative, never liberal.
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Source:  Kolmogorov (1933); p by Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951).";
+
+const ANDERSON_DARLING: &str = "\
+```text
+A^2 = m int (F_m - u)^2 / (u (1 - u)) du,   u = F(t) / F(length)
+```
+Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
+Rejects: nothing; shown beside the others. Weighs both ends of the ray.
+Source:  Anderson and Darling (1952); p over its full range by Smirnov (1937).";
+
+const CRAMER_VON_MISES: &str = "\
+```text
+W^2 = m int (F_m - u)^2 du,   u = F(t) / F(length)
+```
+Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
+Rejects: nothing; shown beside the others.
+Source:  Cramer (1928), von Mises (1931); p by Smirnov (1937), Csorgo and Faraway (1996).";
+
+const KUIPER: &str = "\
+```text
+V = sup (F_m - u) + sup (u - F_m),   p = Q((sqrt m + 0.155 + 0.24 / sqrt m) V)
+```
+Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
+Rejects: nothing; shown beside the others. Sees a shift in the middle that ends cancel in `kolmogorov`.
+Source:  Kuiper (1960), Stephens (1970).";
 
 const COLEMAN: &str = "\
 ```text
@@ -82,10 +110,21 @@ student_t           t = (mean - T) / (sd / sqrt n)
 skewness_corrected  g(U) = U + s U^2 / 3 + s^2 U^3 / 27 + s / (6 n),   U = t / sqrt n
 empirical_bernstein |mean - T| = sqrt(2 V L / n) + 7 R L / (3 (n - 1)),   L = ln(4 / p)
 ```
-Gate:    student_t at |skewness| <= 0.03 sqrt n, skewness_corrected at 0.1 sqrt n; empirical_bernstein within a claimed
-         range; else withheld as heavy_tail or rare_event.
+Gate:    student_t at |skewness| <= 0.03 sqrt n, skewness_corrected at 0.1 sqrt n, neither with fewer than 100 draws other
+         than 0, a Pareto shape of 1/2 or more, one draw of more than 5 % of the sum, or a variance of the variance of 0.1;
+         empirical_bernstein within a claimed range; else withheld as heavy_tail, rare_event or not_enough_draws.
 Rejects: as biased. Weights of channels are `scatter_0`, `surface_0`, `scatter_0_bin_3`, and so on.
 Source:  Clopper and Pearson (1934), Hall (1992), Maurer and Pontil (2009).";
+
+const GROWTH: &str = "\
+```text
+p = 1 / max e,   e a bet whose mean is at most 1 if there is no bias, whatever the number of draws
+```
+Beta-binomial mixture for 0/1; empirical Bernstein mixture and bets for a known range; for others, and for laws, the interval
+or band of a fixed number of draws, at the k-th look at level a / (k (k + 1)).
+Gate:    made only where the case has a `bias_bound`.
+Rejects: as biased, or as wrong_law for a law.
+Source:  Ville (1939), Robbins (1970), Darling and Robbins (1967), Howard et al. (2021), Waudby-Smith and Ramdas (2024).";
 
 const SECOND_MOMENT: &str = "\
 ```text

@@ -16,9 +16,14 @@ fn text(value: &Value) -> String {
         Value::Object(fields) => fields.iter().map(named).collect::<Vec<_>>().join(" "),
         Value::Array(values) => array(values),
         Value::String(word) => word.clone(),
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |x| x.to_string()),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), short),
         other => other.to_string(),
     }
+}
+
+/// Without trailing zeros, and small numbers with an exponent.
+fn short(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-3 { format!("{x:e}") } else { x.to_string() }
 }
 
 /// A variant with its parameters, or nested ones in brackets.
@@ -52,6 +57,7 @@ mod tests {
     fn parameters_follow_their_name() {
         assert_eq!(words(&json!({ "short_majorant": { "factor": 0.9 } })), "short_majorant factor=0.9");
         assert_eq!(words(&json!({ "stale_position": {} })), "stale_position");
+        assert_eq!(words(&json!({ "cut": { "below": 1e-5 } })), "cut below=1e-5");
         let nested = json!({ "reversed": { "medium": { "constant": { "length": 2.0, "mu": 1.5 } } } });
         assert_eq!(words(&nested), "reversed medium=(constant length=2 mu=1.5)");
         assert_eq!(words(&json!({ "x": { "edges": [0, 1], "rule": "left" } })), "x edges=[0,1] rule=left");
