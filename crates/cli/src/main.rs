@@ -30,6 +30,7 @@ fn main() -> ExitCode {
         Verb::List(args) => cmd::list::list(args),
         Verb::Describe(args) => cmd::describe::describe(args),
         Verb::Report(args) => cmd::report::report(args),
+        Verb::Soak(args) => cmd::soak::soak(args, color),
     };
     let code = done.unwrap_or_else(|trouble| {
         // If standard error is gone, there is nobody to tell.

@@ -1,7 +1,7 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
 use crate::collect::Collected;
-use crate::evidence::{Evidence, Fact};
+use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
 use crate::subject::{Scene, Subject, Work};
@@ -63,7 +63,8 @@ fn in_vacuum(law: &Law, truth: &dyn Medium, cells: &CellTally) -> u64 {
 /// The density that a sampler returns is one: an identity without noise.
 fn pdf_integral(integral: f64) -> Evidence {
     let same = (integral - 1.0).abs() <= 1e-9;
-    Evidence::new("pdf_integral", integral - 1.0, None, f64::from(u8::from(same)), Reason::WrongLaw)
+    let p = f64::from(u8::from(same));
+    Evidence::new("pdf_integral", integral - 1.0, None, p, Reason::WrongLaw).under(Null::Conservative)
 }
 
 /// Fewest rows of samples in stage 1 that can give a pass.

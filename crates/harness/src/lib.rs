@@ -49,6 +49,7 @@ pub mod sample;
 pub mod samples;
 pub mod scripted;
 pub mod sequence;
+pub mod soak;
 pub mod source;
 pub mod special;
 pub mod subject;

@@ -30,7 +30,7 @@ pub use binomial::{binomial_cdf, binomial_sf, binomial_two_sided};
 pub use chi_square::chi_square_sf;
 pub use clopper_pearson::clopper_pearson;
 pub use cramer_von_mises::{cramer_von_mises_limit_sf, cramer_von_mises_sf};
-pub use kolmogorov::ks_two_sided;
+pub use kolmogorov::{ks_one_sided, ks_two_sided};
 pub use kuiper::kuiper_sf;
 pub use normal::{normal_quantile, normal_sf, normal_two_sided};
 pub use pareto::pareto_shape;
