@@ -8,6 +8,9 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
     let used = match body {
         Value::Null => json!(name),
         _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
+        _ if (kind, name) == ("medium", "formula") => {
+            json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
+        }
         _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         body => json!({ name: value(schema, name, body) }),
     };

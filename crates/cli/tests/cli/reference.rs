@@ -30,6 +30,21 @@ fn every_name_is_listed_with_a_sentence_and_described() {
 }
 
 #[test]
+fn a_test_is_described_in_short_under_each_of_its_names() {
+    let folder = folder("short_forms");
+    for name in ["mean", "scatter_0_bin_3", "surface_1"] {
+        let (code, out, _) = run(&folder, &["describe", name]);
+        assert!(
+            code == 0 && out.starts_with("mean (test)") && out.contains("Gate:") && out.contains("Source:"),
+            "{out}"
+        );
+    }
+    assert!(run(&folder, &["describe", "own_atom"]).1.contains("X ~ Bin(n, T)"));
+    assert!(run(&folder, &["describe", "audit"]).1.contains("bound_violated"));
+    assert!(run(&folder, &["describe", "heavy_tail"]).1.contains("Causes:"));
+}
+
+#[test]
 fn a_misspelt_name_gets_a_suggestion() {
     let (code, out, err) = run(&folder("misspelt"), &["describe", "delta_trakcing"]);
     assert_eq!((code, out.as_str()), (2, ""));
