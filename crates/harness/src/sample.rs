@@ -1,7 +1,7 @@
 //! One block of draws: the subject is run behind its faults and the audit, and nothing that it does gets out.
 
 use crate::audit::{Audit, Audited};
-use crate::fault::{BlockPlace, Faulty, lay_over_draws};
+use crate::fault::{BlockPlace, Fault, Faulty, Site, Wrapped};
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
@@ -38,6 +38,7 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
 /// If the subject panics or runs past its budget, in words.
 pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
     let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
+    let key = subject.faults.iter().fold(key, |key, fault| fault.key(key));
     let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();
@@ -53,8 +54,8 @@ pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) 
         return Err("the subject changed the length of a column of its block".into());
     }
     let record = BlockRecord { audit, seconds: started.elapsed().as_secs_f64() };
-    let place = BlockPlace { key, first };
-    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
+    let place = BlockPlace { key, first, subject };
+    subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
     Ok(record)
 }
 
@@ -90,11 +91,11 @@ fn grey(
 ) -> (Audit, bool) {
     let rounding = if subject.bits <= 24 { 1e-6 } else { 1e-12 };
     let audited = Audited::new(&seen, budget, rounding);
-    let clean = !subject.faults.iter().any(crate::fault::Fault::spoils_lookups);
+    let clean = !Fault::spoil_lookups(subject.faults);
     if clean && subject.route == Route::Block {
         block(subject.work, truth, &audited, streams, draws);
     } else {
-        let faulty = Faulty::new(&audited, subject.faults);
+        let faulty = Faulty::new(Site { medium: &audited, key: streams.key() }, subject.faults);
         if subject.one_by_one() {
             one_by_one(subject.work, truth, &faulty, streams, draws);
         } else {
@@ -113,16 +114,25 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
 }
 
 fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams, draws: &mut Draws) {
-    let mut rng = streams.rng();
+    let mut rng = Wrapped::new(streams.rng(), medium.overlays());
+    let mut draw = || match work {
+        Work::FreePath(sampler) => Some(sampler.sample(medium, &mut rng)),
+        Work::Transmittance(estimator) => {
+            let weight = estimator.estimate(medium, &mut rng);
+            Some(FreePath { t: f64::INFINITY, weight, collisions: 0 })
+        }
+        Work::Exact | Work::ClosedForm | Work::Chromatic(_) => None,
+    };
     for row in 0..draws.rows {
-        medium.begin();
-        let path = match work {
-            Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
-            Work::Transmittance(estimator) => {
-                FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
-            }
-            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
-                return from_truth(work, truth, streams, draws);
+        let path = loop {
+            medium.begin();
+            match draw() {
+                None => return from_truth(work, truth, streams, draws),
+                Some(path) => {
+                    if let Some(path) = medium.finish(path) {
+                        break path;
+                    }
+                }
             }
         };
         draws.put(row, path.t, path.weight, path.collisions);
@@ -170,18 +180,4 @@ fn chromatic(
     }
     let record = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
     (record, audited.iter().any(Audited::spent))
-}
-
-/// The pdf of the mixture over that of one channel, at t or at the surface.
-fn mixture_over_channel(subject: &Subject, channel: usize, t: f64) -> f64 {
-    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
-        return 1.0;
-    };
-    let channels = medium.channels();
-    let Some(one) = channels.get(channel) else {
-        return f64::NAN;
-    };
-    let (mu, length) = (one.extinction.mu(0.0), medium.length());
-    let alone = if t.is_finite() { mu * libm::exp(-mu * t) } else { libm::exp(-mu * length) };
-    sampler.pdf(&channels, t).unwrap_or(f64::NAN) / alone
 }

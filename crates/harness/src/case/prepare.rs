@@ -157,6 +157,7 @@ impl CaseFile {
             World::Chromatic(_) => (None, None),
         };
         self.check_fit(&at, spec, world, seen.as_deref())?;
+        self.check_faults(&at, spec, world, truth.as_deref())?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
         let asked = spec.draws.or(self.case.draws).unwrap_or(DRAWS);
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
