@@ -24,6 +24,8 @@ const EXIT_CODES: &str = "Exit codes: 0 everything as expected, 1 something is n
 pub(crate) enum Verb {
     /// Run cases and write a report.
     Run(Run),
+    /// Print and plot the medium of cases: mu, majorant, tau and T.
+    Medium(Medium),
     /// List every name that a case can use, and every test and reason.
     List(List),
     /// Tell all about one name of the list.
@@ -67,6 +69,26 @@ pub(crate) struct Run {
     /// Show no progress, and only the subjects that are not as expected.
     #[arg(long)]
     pub(crate) quiet: bool,
+    /// Let cases name files outside their own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+}
+
+/// `freepath medium`.
+#[derive(Args, Debug)]
+pub(crate) struct Medium {
+    /// Case files, or folders of them.
+    #[arg(value_name = "CASE", required = true)]
+    pub(crate) cases: Vec<PathBuf>,
+    /// The folder that the plots are written to.
+    #[arg(long, value_name = "DIR", default_value = "reports/media")]
+    pub(crate) out: PathBuf,
+    /// Rows of the table along the ray.
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) rows: u32,
+    /// Print JSON: the medium as results.json has it.
+    #[arg(long)]
+    pub(crate) json: bool,
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,

@@ -8,6 +8,7 @@ mod box_spike;
 mod chromatic;
 mod constant;
 mod exponential;
+mod formula;
 mod gaussian;
 mod linear;
 mod numeric;
@@ -21,10 +22,12 @@ mod scaled;
 mod segment;
 mod sinusoid;
 mod view;
+mod volume;
 
 pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
 pub use numeric::{Numeric, numeric};
+pub use volume::{Raw, RawType, Volume, VolumeRequest};
 
 /// What a case file says of a medium, and how to make it.
 pub trait Describe {
@@ -46,23 +49,14 @@ pub enum Built {
 
 /// Reads the files that a description names, and says along which ray to look.
 pub trait Surroundings {
-    /// The volume stored in `file`, a name relative to the case file.
+    /// The volume that is asked for; its file is a name relative to the case file.
     ///
     /// # Errors
     /// If the file may not or cannot be read.
-    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError>;
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError>;
 
     /// Origin and direction that replace the description's own, for a case of many rays.
     fn ray(&self) -> Option<([f64; 3], [f64; 3])>;
-}
-
-/// A scalar field on a grid: `values[(z * ny + y) * nx + x]`, all finite.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Volume {
-    /// nx, ny, nz.
-    pub shape: [usize; 3],
-    /// x fastest.
-    pub values: Vec<f64>,
 }
 
 crate::list::list! {
@@ -72,6 +66,7 @@ crate::list::list! {
         linear::Linear,
         exponential::Exponential,
         gaussian::Gaussian,
+        formula::Formula,
         sinusoid::Sinusoid,
         box_spike::BoxSpike,
         piecewise_constant::PiecewiseConstant,

@@ -254,7 +254,10 @@ fn wrappers_of_channels_scale_and_cut_them() {
 
 #[test]
 fn every_description_survives_json() {
-    let more = [r#"{"chromatic": {"sigma_t": [2.0, 0.5], "sigma_s": [1.5, 0.5], "length": 3.0}}"#];
+    let more = [
+        r#"{"chromatic": {"sigma_t": [2.0, 0.5], "sigma_s": [1.5, 0.5], "length": 3.0}}"#,
+        r#"{"formula": {"mu": "1 + step(1.3, t)", "length": 2.4, "majorant": 2.0, "breaks": [1.3]}}"#,
+    ];
     let jsons: Vec<String> = described().into_iter().map(|(json, _)| json).collect();
     for json in jsons.iter().map(String::as_str).chain(more) {
         let medium = parse(json);
@@ -263,7 +266,7 @@ fn every_description_survives_json() {
         assert!(text.starts_with(&format!("{{\"{}\":{{", medium.name())), "{text}");
     }
     let named = |name: &&str| jsons.iter().any(|json| json.contains(&format!("\"{name}\"")));
-    let ours = AnyMedium::NAMES.iter().filter(|&&name| name != "chromatic" && name != "voxel_grid");
+    let ours = AnyMedium::NAMES.iter().filter(|&&name| !["chromatic", "formula", "voxel_grid"].contains(&name));
     assert!(ours.copied().all(|name| named(&name)));
 }
 

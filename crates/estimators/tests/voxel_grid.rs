@@ -1,7 +1,7 @@
 //! A grid of 4 x 5 x 6 voxels with unequal neighbours, seen along rays of every kind.
 
 use freepath_estimators::medium::voxel_grid::{Filter, Grid, GridRay, Rescale};
-use freepath_estimators::medium::{AnyMedium, Built, Surroundings, Volume};
+use freepath_estimators::medium::{AnyMedium, Built, Surroundings, Volume, VolumeRequest};
 use freepath_estimators::{Cells, Extinction, Medium, ParameterError, quadrature, simd};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -401,8 +401,8 @@ fn rays_that_miss_and_directions_without_a_length_are_refused() {
 struct Folder(Option<([f64; 3], [f64; 3])>);
 
 impl Surroundings for Folder {
-    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError> {
-        assert_eq!(file, "rough.npy");
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        assert_eq!(*wanted, VolumeRequest::of("rough.npy"));
         Ok(rough())
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {

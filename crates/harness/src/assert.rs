@@ -58,16 +58,41 @@ fn assert_subject(subject: &Subject, caller: &Location) {
     if let Err(why) = freepath_estimators::simd::check_environment() {
         panic!("{why}");
     }
-    let (seed, draws) = (setting("FREEPATH_SEED", 1), setting("FREEPATH_DRAWS", DRAWS));
+    let effort = Effort { seed: setting("FREEPATH_SEED", 1), draws: setting("FREEPATH_DRAWS", DRAWS) };
     for route in [Route::Block, Route::Scalar] {
-        let subject = Subject { route, draws, lookups_per_draw: LOOKUPS_PER_DRAW, ..subject.clone() };
-        let plan = Plan::of(&subject);
-        let trial = Trial::run(&subject, &plan, seed);
-        let decision = trial.decide();
-        if decision.verdict != Verdict::Pass {
-            panic!("{}", trial.message(&subject, &decision, seed, caller));
+        let subject = Subject { route, ..subject.clone() };
+        let (verdict, mut text) = verify(&subject, effort);
+        if verdict != Verdict::Pass {
+            let how = if route == Route::Block { "drawn in blocks" } else { "drawn one by one" };
+            let test = std::thread::current().name().unwrap_or("NAME").to_string();
+            let Effort { seed, draws } = effort;
+            let _ = write!(
+                text,
+                "\n  {how}, at {caller}; replay: FREEPATH_SEED={seed} FREEPATH_DRAWS={draws} cargo test {test}"
+            );
+            panic!("{text}");
         }
     }
+}
+
+/// How much to draw, from which seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// The seed of all streams.
+    pub seed: u64,
+    /// Draws of stage 1, instead of the subject's.
+    pub draws: u64,
+}
+
+/// The verdict on `subject` by its route alone, through both stages, and what was found in words. A draw may make 20,000 look-ups and no
+/// more, so that a walk that never ends is stopped within seconds.
+#[must_use]
+pub fn verify(subject: &Subject, Effort { seed, draws }: Effort) -> (Verdict, String) {
+    let subject = Subject { draws, lookups_per_draw: LOOKUPS_PER_DRAW, ..subject.clone() };
+    let plan = Plan::of(&subject);
+    let trial = Trial::run(&subject, &plan, seed);
+    let decision = trial.decide();
+    (decision.verdict, trial.message(&subject, &decision))
 }
 
 /// A whole number from the environment.
@@ -109,28 +134,23 @@ impl Trial {
         decide(Stage { judged: &self.first, adjusted: &first.0[0] }, stage)
     }
 
-    fn message(&self, subject: &Subject, decision: &Decision, seed: u64, caller: &Location) -> String {
+    fn message(&self, subject: &Subject, decision: &Decision) -> String {
+        let passed = decision.verdict == Verdict::Pass;
         let what = match subject.work {
+            _ if passed => "no claim is rejected",
             Work::FreePath(_) | Work::Exact => "the sampler does not follow the free-path law",
             Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
             Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
         };
-        let how = if subject.route == Route::Block { "drawn in blocks" } else { "drawn one by one" };
-        let mut text = format!("{what}: {} ({how}, at {caller})\n", decision.verdict);
+        let mut text = format!("{what}: {}\n", decision.verdict);
         for note in &decision.notes {
             let _ = writeln!(text, "  {note}");
         }
         for reason in &decision.reasons {
             let _ = writeln!(text, "  {reason}: {}", reason.words());
         }
-        let test = std::thread::current().name().unwrap_or("NAME").to_string();
-        let _ = write!(
-            text,
-            "  {} draws, then {} fresh ones for the suspect; replay: FREEPATH_SEED={seed} FREEPATH_DRAWS={} cargo test {test}",
-            self.draws,
-            2 * self.draws,
-            self.draws
-        );
+        let suspect = if self.second.is_some() { ", then twice as many fresh ones for the suspect" } else { "" };
+        let _ = write!(text, "  {} draws{suspect}", self.draws);
         text
     }
 }

@@ -19,6 +19,7 @@ mod series;
 mod subjects;
 
 pub use expect::expected;
+pub use media::medium_result;
 pub use subjects::{id, quoted};
 
 /// What a run needs to know beside its cases.
@@ -193,7 +194,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         reporting_level: Real(REPORTING_LEVEL),
         p_values: [count(&adjusted[0]), count(&adjusted[1])],
         repro: options.repro.clone(),
-        media: cases.iter().map(media::result).collect(),
+        media: cases.iter().map(medium_result).collect(),
         results,
     };
     Outcome { results, timings }

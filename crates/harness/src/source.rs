@@ -1,11 +1,14 @@
 //! Files that a case names: read with hostile content in mind, refused with a message that repeats none of it.
 
-use freepath_estimators::medium::Volume;
+use freepath_estimators::medium::{Volume, VolumeRequest};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
 mod npy;
+mod raw;
+mod stored;
+mod vol;
 
 /// A file that cannot be used: which, why, and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,16 +54,23 @@ impl From<io::Error> for Refusal {
     }
 }
 
-/// The volume in the `.npy` file `path`: an array `[z][y][x]` of u8, u16, f32 or f64, little or big endian, in C or Fortran
-/// order.
+/// The volume that `wanted` asks for, in the file `path`: `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran
+/// order), `.vol` of Mitsuba (version 3, f32), or values without a header if their layout is stated.
 ///
 /// # Errors
-/// If the file is not regular, not such an array, longer or shorter than its shape, above 1e8 voxels, or holds a NaN or an
-/// infinity. Nothing is allocated for values that the file does not hold.
-pub fn read_volume(path: &Path) -> Result<Volume, SourceError> {
+/// If the file is not regular, not such an array, longer or shorter than its shape, above 1e8 values, has no such channel,
+/// or holds a NaN or an infinity. Nothing is allocated for values that the file does not hold.
+pub fn read_volume(path: &Path, wanted: &VolumeRequest) -> Result<Volume, SourceError> {
     let read = || {
         let (mut file, size) = open_regular(path)?;
-        npy::read_volume(&mut file, size)
+        let stored = match wanted.raw {
+            Some(raw) => raw::volume(raw),
+            None if path.extension().is_some_and(|name| name.eq_ignore_ascii_case("vol")) => {
+                vol::volume(&mut file)?
+            }
+            None => npy::volume(&mut file)?,
+        };
+        stored.read(&mut file, size, wanted.channel)
     };
     read().map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
 }
@@ -108,7 +118,7 @@ mod tests {
 
     fn shipped(name: &str) -> Volume {
         let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/data");
-        read_volume(&data.join(name)).unwrap()
+        read_volume(&data.join(name), &VolumeRequest::of(name)).unwrap()
     }
 
     fn range(volume: &Volume) -> (f64, f64) {
@@ -146,7 +156,7 @@ mod tests {
     #[test]
     fn a_message_names_the_file_but_none_of_its_content() {
         let file = Temporary::holding("secret.npy", b"root:secret:0:0");
-        let error = read_volume(&file.0).unwrap_err();
+        let error = read_volume(&file.0, &VolumeRequest::of("")).unwrap_err();
         assert_eq!(error.file(), file.0);
         let message = error.to_string();
         assert!(message.starts_with("cannot read ") && message.ends_with(')'), "{message}");
@@ -155,7 +165,7 @@ mod tests {
 
     #[test]
     fn what_is_no_regular_file_is_refused() {
-        let message = |path: &Path| read_volume(path).unwrap_err().to_string();
+        let message = |path: &Path| read_volume(path, &VolumeRequest::of("")).unwrap_err().to_string();
         assert!(message(&std::env::temp_dir()).contains("not a regular file"));
         assert!(message(&Temporary::path("absent.npy").0).contains("(a file that can be read)"));
         #[cfg(unix)]
@@ -168,7 +178,7 @@ mod tests {
         let pipe = Temporary::path("pipe.npy");
         let made = std::process::Command::new("mkfifo").arg(&pipe.0).status();
         if made.is_ok_and(|status| status.success()) {
-            let message = read_volume(&pipe.0).unwrap_err().to_string();
+            let message = read_volume(&pipe.0, &VolumeRequest::of("")).unwrap_err().to_string();
             assert!(message.contains("not a regular file"), "{message}");
         }
     }

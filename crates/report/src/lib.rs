@@ -26,7 +26,7 @@ pub use digest::run_id;
 pub use error::ReportError;
 pub use save::json;
 
-use freepath_harness::results::{Results, Timings};
+use freepath_harness::results::{MediumResult, Results, Timings};
 use std::path::Path;
 
 /// What a report consists of.
@@ -89,6 +89,15 @@ impl Options {
 /// If a plot cannot be drawn or a file cannot be written.
 pub fn write(results: &Results, timings: Option<&Timings>, out: &Path) -> Result<(), ReportError> {
     Options::default().write(results, timings, out)
+}
+
+/// Writes the plot of one medium as `out/NAME.png` and `out/NAME.svg`, the medium drawn under `title`.
+///
+/// # Errors
+/// If it cannot be drawn or a file cannot be written.
+pub fn write_medium(medium: &MediumResult, title: &str, name: &str, out: &Path) -> Result<(), ReportError> {
+    let figure = plot::medium::figure(medium, &text::clean(title, 120));
+    save::plot(&figures::Drawn { file: name.into(), figure }, &Options::default(), out)
 }
 
 /// The page of a run, without writing anything.

@@ -20,10 +20,11 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
 /// Writes every plot as PNG and SVG, as far as `options` want them.
 pub(crate) fn plots(figures: &Figures, options: &Options, folder: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(folder).map_err(|cause| ReportError::write(folder, cause))?;
-    figures.all().collect::<Vec<_>>().into_par_iter().try_for_each(|drawn| files(drawn, options, folder))
+    figures.all().collect::<Vec<_>>().into_par_iter().try_for_each(|drawn| plot(drawn, options, folder))
 }
 
-fn files(drawn: &Drawn, options: &Options, folder: &Path) -> Result<(), ReportError> {
+/// Writes one plot as PNG and SVG, as far as `options` want them; the folder exists.
+pub(crate) fn plot(drawn: &Drawn, options: &Options, folder: &Path) -> Result<(), ReportError> {
     if options.png {
         let path = folder.join(format!("{}.png", drawn.file));
         let beside = beside(&path);

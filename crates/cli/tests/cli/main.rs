@@ -1,6 +1,7 @@
 //! The binary from outside: what it takes, what it prints, what it writes, and its exit codes.
 
 mod input;
+mod medium;
 mod output;
 mod reference;
 mod signals;

@@ -10,7 +10,7 @@ mod ray;
 pub use grid::{Filter, Grid, Rescale};
 pub use ray::GridRay;
 
-use crate::medium::{Built, Describe, Surroundings};
+use crate::medium::{Built, Describe, Raw, Surroundings, VolumeRequest};
 use crate::parameter::{self, ParameterError};
 use std::sync::Arc;
 
@@ -34,8 +34,15 @@ pub struct VoxelGrid {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "voxel_grid")]
 struct Parameters {
-    /// The file of the values, an array `[z][y][x]`.
+    /// The file of the values, an array `[z][y][x]` or `[z][y][x][channel]`: `.npy`, `.vol` (Mitsuba), or any name with
+    /// `raw`.
     file: String,
+    /// Which of the values of a voxel, from 0.
+    #[serde(default)]
+    channel: usize,
+    /// The layout of a file without a header.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    raw: Option<Raw>,
     /// How mu follows from the values around a point.
     filter: Filter,
     /// Two corners of the box, `[[x0, y0, z0], [x1, y1, z1]]`.
@@ -79,9 +86,9 @@ impl From<VoxelGrid> for Parameters {
 
 impl Describe for VoxelGrid {
     fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
-        let Parameters { scale, offset, .. } = self.parameters;
-        let volume = surroundings.volume(&self.parameters.file)?;
-        let rescale = Rescale { scale, offset };
+        let Parameters { file, channel, raw, scale, offset, .. } = &self.parameters;
+        let volume = surroundings.volume(&VolumeRequest { file, channel: *channel, raw: raw.as_ref() })?;
+        let rescale = Rescale { scale: *scale, offset: *offset };
         let grid = Grid::new(volume, self.parameters.filter, self.parameters.bounds, rescale)?;
         let own = (self.parameters.origin, self.parameters.direction);
         let (origin, direction) = surroundings.ray().unwrap_or(own);

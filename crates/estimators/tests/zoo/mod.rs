@@ -1,6 +1,8 @@
 //! The media that the tests visit: every name of the list, every wrapper, wrappers of wrappers, and two functions.
 
-use freepath_estimators::medium::{AnyMedium, Built, ChromaticMedium, Surroundings, Volume, numeric};
+use freepath_estimators::medium::{
+    AnyMedium, Built, ChromaticMedium, Surroundings, Volume, VolumeRequest, numeric,
+};
 use freepath_estimators::{Extinction, Medium, ParameterError};
 use std::sync::Arc;
 
@@ -67,14 +69,16 @@ pub(crate) const BAD: &[(&str, &str)] = &[
         r#"{"segment": {"from": 2, "to": 1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#,
         "to must be greater than from, 2, not 1",
     ),
+    (r#"{"formula": {"mu": "2*x", "length": 3, "majorant": 6}}"#, "mu: unknown name `x` at column 3 (t, pi, abs,"),
+    (r#"{"formula": {"mu": "2*t", "length": 3, "majorant": -6}}"#, "majorant must be finite and not negative"),
     (r#"{"linaer": {}}"#, "unknown variant `linaer`"),
 ];
 
 struct Nothing;
 
 impl Surroundings for Nothing {
-    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError> {
-        Err(ParameterError::new("file", file, "absent"))
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        Err(ParameterError::new("file", wanted.file, "absent"))
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         None

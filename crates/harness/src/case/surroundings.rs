@@ -1,6 +1,6 @@
 use super::{CaseError, Ray};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{Surroundings, Volume};
+use freepath_estimators::medium::{Raw, Surroundings, Volume, VolumeRequest};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,7 +19,7 @@ pub(super) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
 }
 
 /// The volumes read so far: a file is read once for all its rays and cases.
-pub(super) type Volumes = Mutex<HashMap<PathBuf, Arc<Volume>>>;
+pub(super) type Volumes = Mutex<HashMap<(PathBuf, usize, Option<Raw>), Arc<Volume>>>;
 
 /// The folder of a case file, and one of its rays.
 pub(super) struct Place<'a> {
@@ -46,15 +46,17 @@ impl Place<'_> {
 }
 
 impl Surroundings for Place<'_> {
-    fn volume(&self, file: &str) -> Result<Arc<Volume>, ParameterError> {
-        let path = self.resolve(file)?;
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        let path = self.resolve(wanted.file)?;
+        let key = (path.clone(), wanted.channel, wanted.raw.copied());
         let mut volumes = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(volume) = volumes.get(&path) {
+        if let Some(volume) = volumes.get(&key) {
             return Ok(volume.clone());
         }
-        let volume = crate::source::read_volume(&path).map_err(|why| ParameterError::unusable("file", why))?;
+        let volume =
+            crate::source::read_volume(&path, wanted).map_err(|why| ParameterError::unusable("file", why))?;
         let volume = Arc::new(volume);
-        volumes.insert(path, volume.clone());
+        volumes.insert(key, volume.clone());
         Ok(volume)
     }
 

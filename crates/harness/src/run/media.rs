@@ -6,7 +6,9 @@ use freepath_estimators::{Extinction, Medium};
 /// Points of a medium's plot.
 const POINTS: usize = 300;
 
-pub(super) fn result(case: &Prepared) -> MediumResult {
+/// What the results say of the medium of a case.
+#[must_use]
+pub fn medium_result(case: &Prepared) -> MediumResult {
     let (length, tau, extrema, series) = match &case.world {
         World::Grey(medium) => {
             let length = medium.length();

@@ -3,98 +3,28 @@
 mod header;
 
 use super::Refusal;
-use freepath_estimators::medium::Volume;
-use header::{Header, Number};
-use std::io::{BufReader, Read};
+use super::stored::Stored;
+use header::Header;
+use std::io::Read;
 
-/// The most voxels of a volume.
-const MOST_VOXELS: u64 = 100_000_000;
-/// How many values are read at a time.
-const PART: usize = 8192;
-
-/// The volume in a file of `size` bytes.
-pub(super) fn read_volume(file: &mut dyn Read, size: u64) -> Result<Volume, Refusal> {
-    let mut file = BufReader::new(file);
-    let header = Header::read(&mut file)?;
-    let shape = volume_shape(&header, size)?;
-    let values = read_values(&mut file, &header, shape)?;
-    match values.iter().position(|v| !v.is_finite()) {
-        None => Ok(Volume { shape, values }),
-        Some(i) => Err(not_finite(shape, i)),
-    }
-}
-
-/// nx, ny, nz of a header whose values fill the rest of the file.
-fn volume_shape(header: &Header, size: u64) -> Result<[usize; 3], Refusal> {
-    let &[nz, ny, nx] = header.shape.as_slice() else {
-        let cause = format!("its array has {} dimensions", header.shape.len());
-        return Err(Refusal::new(cause, "a volume has 3, [z][y][x]"));
-    };
-    if [nx, ny, nz].contains(&0) {
-        return Err(Refusal::new("its array is empty", "at least 1 voxel"));
-    }
-    let voxels = nx.checked_mul(ny).and_then(|area| area.checked_mul(nz));
-    let Some(voxels) = voxels.filter(|&voxels| voxels <= MOST_VOXELS) else {
-        let allowed = format!("at most {MOST_VOXELS} voxels");
-        return Err(Refusal::new("its array is too large", allowed));
-    };
-    let (held, needed) = (size.saturating_sub(header.start), voxels * header.width as u64);
-    if held != needed {
-        let cause = format!("it holds {held} bytes of values where its shape needs {needed}");
-        return Err(Refusal::new(cause, "one whole array and nothing more"));
-    }
-    Ok([nx, ny, nz].map(|n| n as usize))
-}
-
-/// The values in the order of a volume, x fastest.
-fn read_values(file: &mut dyn Read, header: &Header, shape: [usize; 3]) -> Result<Vec<f64>, Refusal> {
-    let mut values = vec![0.0; shape.iter().product()];
-    let mut bytes = vec![0; PART * header.width];
-    let mut done = 0;
-    while done < values.len() {
-        let left = (values.len() - done) * header.width;
-        let part = if left < bytes.len() { left } else { bytes.len() };
-        file.read_exact(&mut bytes[..part])?;
-        for value in bytes[..part].chunks_exact(header.width) {
-            values[place(header, shape, done)] = decode(header, value);
-            done += 1;
+/// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.
+pub(super) fn volume(file: &mut dyn Read) -> Result<Stored, Refusal> {
+    let Header { number, width, big_endian, fortran, shape, start } = Header::read(file)?;
+    let (shape, channels) = match *shape.as_slice() {
+        [nz, ny, nx] => ([nx, ny, nz], 1),
+        [nz, ny, nx, channels] => ([nx, ny, nz], channels),
+        _ => {
+            let cause = format!("its array has {} dimensions", shape.len());
+            return Err(Refusal::new(cause, "a volume has 3, [z][y][x], or 4, [z][y][x][channel]"));
         }
-    }
-    Ok(values)
-}
-
-/// Where the `i`-th value of the file belongs.
-fn place(header: &Header, [nx, ny, nz]: [usize; 3], i: usize) -> usize {
-    if !header.fortran {
-        return i;
-    }
-    let (x, y, z) = (i / (nz * ny), i / nz % ny, i % nz);
-    (z * ny + y) * nx + x
-}
-
-fn decode(header: &Header, bytes: &[u8]) -> f64 {
-    let mut little = [0; 8];
-    little[..bytes.len()].copy_from_slice(bytes);
-    if header.big_endian {
-        little[..bytes.len()].reverse();
-    }
-    let bits = u64::from_le_bytes(little);
-    match header.number {
-        Number::Unsigned => bits as f64, // exact: at most 16 bits
-        Number::Float if header.width == 4 => f64::from(f32::from_bits(bits as u32)),
-        Number::Float => f64::from_bits(bits),
-    }
-}
-
-fn not_finite([nx, ny, _]: [usize; 3], i: usize) -> Refusal {
-    let index = [i / (nx * ny), i / nx % ny, i % nx];
-    let cause = format!("the value at [z][y][x] = {index:?} is NaN or infinite");
-    Refusal::new(cause, "every value must be finite")
+    };
+    Ok(Stored { number, width, big_endian, fortran, shape, channels, start })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use freepath_estimators::medium::Volume;
     use proptest::prelude::*;
 
     /// A file of the given header and values.
@@ -108,7 +38,11 @@ mod tests {
     }
 
     fn read(bytes: &[u8]) -> Result<Volume, Refusal> {
-        read_volume(&mut &bytes[..], bytes.len() as u64)
+        read_as(bytes, bytes.len() as u64, 0)
+    }
+
+    fn read_as(mut bytes: &[u8], size: u64, channel: usize) -> Result<Volume, Refusal> {
+        volume(&mut bytes)?.read(&mut bytes, size, channel)
     }
 
     fn cause(bytes: &[u8]) -> String {
@@ -158,11 +92,27 @@ mod tests {
     }
 
     #[test]
+    fn one_channel_of_several_is_read() {
+        let bytes: Vec<u8> = (0..6).flat_map(|x| [10 * x, 10 * x + 1]).collect();
+        let c = file(&dictionary("|u1", "False", "(1, 2, 3, 2)"), &bytes);
+        let one = read_as(&c, c.len() as u64, 1).unwrap();
+        assert_eq!((one.shape, one.values), ([3, 2, 1], vec![1.0, 11.0, 21.0, 31.0, 41.0, 51.0]));
+        let planes: Vec<u8> = [0, 1].iter().flat_map(|c| [0, 30, 10, 40, 20, 50].map(|v| v + c)).collect();
+        let fortran = file(&dictionary("|u1", "True", "(1, 2, 3, 2)"), &planes);
+        assert_eq!(
+            read_as(&fortran, fortran.len() as u64, 1).unwrap().values,
+            [1.0, 11.0, 21.0, 31.0, 41.0, 51.0]
+        );
+        let refused = read_as(&c, c.len() as u64, 2).unwrap_err();
+        assert_eq!((refused.cause.as_str(), refused.allowed.as_str()), ("it has no channel 2", "channels 0 to 1"));
+    }
+
+    #[test]
     fn arrays_that_are_no_volume_are_refused() {
         let c = |shape: &str| cause(&file(&dictionary("<f4", "False", shape), &f4()));
         assert_eq!(c("(6,)"), "its array has 1 dimensions");
         assert_eq!(c("()"), "its array has 0 dimensions");
-        assert_eq!(c("(1, 1, 2, 3)"), "its array has 4 dimensions");
+        assert_eq!(c("(1, 1, 1, 2, 3)"), "its array has 5 dimensions");
         assert_eq!(c("(1, 0, 3)"), "its array is empty");
         assert_eq!(c("(1, 2, 100000000)"), "its array is too large");
         assert_eq!(c("(4294967296, 4294967296, 2)"), "its array is too large");
@@ -177,7 +127,7 @@ mod tests {
         assert!(read(&whole).is_ok());
         for end in 0..whole.len() {
             assert!(read(&whole[..end]).is_err(), "{end}");
-            assert!(read_volume(&mut &whole[..end], whole.len() as u64).is_err(), "{end}: shrunk meanwhile");
+            assert!(read_as(&whole[..end], whole.len() as u64, 0).is_err(), "{end}: shrunk meanwhile");
         }
     }
 
@@ -202,7 +152,7 @@ mod tests {
         #[test]
         fn random_headers_never_panic(text in "[{}()\\[\\], :'\"a-zA-Z0-9<>|=_.-]{0,200}", size in any::<u64>()) {
             let bytes = file(&text, &f4());
-            let _ = read_volume(&mut &bytes[..], size);
+            let _ = read_as(&bytes, size, 0);
         }
 
         #[test]

@@ -1,17 +1,11 @@
 //! The header, parsed by hand: a general reader of Python literals recurses as deep as a hostile header asks it to.
 
 use super::super::Refusal;
+use super::super::stored::Number;
 use std::io::Read;
 
 /// The longest header that is read, in bytes.
 const MOST_HEADER: usize = 65_536;
-
-/// What a value is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Number {
-    Unsigned,
-    Float,
-}
 
 /// How the values are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]

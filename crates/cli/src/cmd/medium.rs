@@ -1,0 +1,81 @@
+//! `freepath medium`: what the subjects of a case fly through.
+
+use crate::args::{Medium as Args, When};
+use crate::screen::{self, cell};
+use crate::trouble::Trouble;
+use crate::{cases, files};
+use freepath_estimators::Medium;
+use freepath_harness::case::{Limits, Prepared, World};
+use freepath_harness::results::MediumResult;
+use freepath_harness::run::medium_result;
+use std::fmt::Write;
+use std::io::{IsTerminal, stderr};
+
+/// Prints a table for each medium and writes its plot.
+pub(crate) fn medium(args: &Args, color: When) -> Result<u8, Trouble> {
+    let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
+    let found = cases::find(&args.cases, &args.out)?;
+    let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
+    files::open(&args.out)?;
+    let media: Vec<MediumResult> = cases.iter().map(medium_result).collect();
+    if args.json {
+        let all = serde_json::to_value(&media).map_err(|why| Trouble::Running(why.to_string()))?;
+        screen::print_json(&all)?;
+    }
+    for (case, medium) in cases.iter().zip(&media) {
+        let name = name(medium);
+        freepath_report::write_medium(medium, &medium.case, &name, &args.out)
+            .map_err(|why| Trouble::Running(why.to_string()))?;
+        if !args.json {
+            let plot = args.out.join(format!("{name}.png"));
+            screen::print(&format!("{}plot: {}\n\n", words(case, medium, args.rows), plot.display()))?;
+        }
+    }
+    Ok(0)
+}
+
+/// The name of a plot: file and ray, in letters, digits, `-` and `_` only.
+fn name(medium: &MediumResult) -> String {
+    let file = medium.file.trim_end_matches(".jsonc").trim_end_matches(".json");
+    let ray = medium.ray.map(|ray| format!("-ray{ray}")).unwrap_or_default();
+    let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
+    format!("{file}{ray}").chars().map(plain).collect::<String>().trim_matches('-').to_string()
+}
+
+fn words(case: &Prepared, medium: &MediumResult, rows: u32) -> String {
+    let ray = medium.ray.map(|ray| format!(", ray {ray}")).unwrap_or_default();
+    let mut text = format!("{}{ray}: {}\n", cell(&medium.file, 200), cell(&medium.case, 200));
+    let [low, high] = medium.extrema;
+    let _ = writeln!(text, "{}, length {}, mu from {:.6} to {:.6}", medium.medium, medium.length.0, low.0, high.0);
+    let extinctions: Vec<(String, &dyn Medium)> = match &case.world {
+        World::Grey(medium) => vec![(String::new(), medium)],
+        World::Chromatic(medium) => {
+            let media = medium.media().iter().enumerate();
+            media.map(|(i, (channel, _))| (format!("channel {i}: "), channel as &dyn Medium)).collect()
+        }
+    };
+    for (channel, medium) in extinctions {
+        text += &table(&channel, medium, rows);
+    }
+    text
+}
+
+fn table(channel: &str, medium: &dyn Medium, rows: u32) -> String {
+    let (length, majorants) = (medium.length(), medium.majorants());
+    let tau = medium.tau(length);
+    let mut text = format!(
+        "{channel}tau {tau:.9} (+- {:.0e}), T {:.9e}, {} majorant segment{}, integral of the majorant {:.6}\n",
+        medium.tau_error(),
+        libm::exp(-tau),
+        majorants.ends().len(),
+        if majorants.ends().len() == 1 { "" } else { "s" },
+        majorants.depth(length),
+    );
+    let _ = writeln!(text, "{:>12}  {:>12}  {:>12}  {:>12}  {:>12}", "t", "mu", "majorant", "tau", "T");
+    for i in 0..=rows {
+        let t = if i == rows { length } else { length * f64::from(i) / f64::from(rows) };
+        let (mu, bound, tau) = (medium.mu(t), majorants.mu_bar_at(t), medium.tau(t));
+        let _ = writeln!(text, "{t:>12.6}  {mu:>12.6}  {bound:>12.6}  {tau:>12.6}  {:>12.6e}", libm::exp(-tau));
+    }
+    text
+}

@@ -1,0 +1,48 @@
+//! `freepath medium`: a table and a plot of what the subjects fly through.
+
+use crate::support::{folder, put, run};
+use serde_json::Value;
+
+const RAMP: &str = r#"{ "title": "Ramp", "medium": { "formula": { "mu": "0.5*t", "length": 2.0, "majorant": 1.5 } },
+    "subjects": [ { "free_path": { "exact": {} } } ] }"#;
+
+#[test]
+fn the_table_tells_mu_its_majorant_tau_and_transmittance() {
+    let folder = folder("medium");
+    put(&folder, "ramp.json", RAMP);
+    let (code, out, err) = run(&folder, &["medium", "ramp.json", "--rows", "2", "--out", "plots"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let row: Vec<f64> = out.lines().nth(5).unwrap().split_whitespace().map(|word| word.parse().unwrap()).collect();
+    assert_eq!(row[..4], [1.0, 0.5, 1.5, 0.25], "{out}");
+    assert!(out.contains("ramp.json: Ramp\n") && out.contains("tau 1.000000000"), "{out}");
+    assert!(folder.join("plots/ramp.png").is_file() && folder.join("plots/ramp.svg").is_file());
+}
+
+#[test]
+fn json_is_the_medium_as_results_have_it() {
+    let folder = folder("medium_json");
+    put(&folder, "ramp.json", RAMP);
+    let (code, out, _) = run(&folder, &["medium", "ramp.json", "--json"]);
+    let all: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &all[0]["medium"]), (0, &Value::from("formula")));
+    assert_eq!(all[0]["length"], 2.0);
+}
+
+#[test]
+fn a_majorant_that_mu_exceeds_is_refused_with_t_and_both_values() {
+    let folder = folder("medium_high");
+    put(&folder, "ramp.json", &RAMP.replace("1.5 }", "0.75 }"));
+    let (code, out, err) = run(&folder, &["medium", "ramp.json"]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("majorant must be an upper bound of mu, not 0.75, where mu is 0.7"), "{err}");
+    assert!(err.contains(" at t = 1.5"), "{err}");
+}
+
+#[test]
+fn an_unknown_name_in_a_formula_is_refused_by_name_and_column() {
+    let folder = folder("medium_name");
+    put(&folder, "ramp.json", &RAMP.replace("0.5*t", "0.5*sigma"));
+    let (code, _, err) = run(&folder, &["medium", "ramp.json"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("unknown name `sigma` at column 5") && err.contains("ramp.json"), "{err}");
+}
