@@ -6,7 +6,7 @@ use freepath_estimators::{Majorants, Medium};
 ///
 /// ```text
 /// right: mu_bar = max over all nodes that interpolation reads in the cell
-/// wrong: mu_bar = mu at the cell's start, or at its centre
+/// wrong: mu_bar = mu at the cell's first node, or the greater of that and mu at its centre
 /// ```
 ///
 /// Shows in: look-ups above the majorant, the escape atom, the law of t; nowhere where neighbouring nodes are equal.
@@ -23,7 +23,7 @@ pub struct CellMajorant {
 enum CellPlace {
     /// Its first node.
     Start,
-    /// Half way.
+    /// Its first node and half way.
     Centre,
 }
 
@@ -41,11 +41,11 @@ impl Plant for CellMajorant {
     fn bounds(&self, truth: &dyn Medium, majorants: Majorants) -> Majorants {
         let ends: Vec<f64> = truth.breaks().iter().copied().chain([truth.length()]).collect();
         let starts = std::iter::once(0.0).chain(truth.breaks().iter().copied());
-        let place = |(start, end): (f64, &f64)| match self.at {
-            CellPlace::Start => start,
-            CellPlace::Centre => 0.5 * (start + end),
+        let looked_up = |(start, end): (f64, &f64)| {
+            let (first, centre) = (truth.mu(start), truth.mu(0.5 * (start + end)));
+            if self.at == CellPlace::Centre && centre > first { centre } else { first }
         };
-        let mu_bar = starts.zip(&ends).map(|cell| truth.mu(place(cell))).collect();
+        let mu_bar = starts.zip(&ends).map(looked_up).collect();
         Majorants::explicit(truth, ends, mu_bar).unwrap_or(majorants)
     }
 }

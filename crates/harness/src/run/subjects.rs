@@ -26,8 +26,7 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
-    let (expected, by_design, as_expected) =
-        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
+    let (expected, by_design, as_expected) = expectation(trial, &decision);
     let id = id(case, prepared);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
@@ -65,6 +64,10 @@ pub(super) fn result(
         efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
         order: order(trial),
     }
+}
+
+fn expectation(Trial { prepared, plan, .. }: &Trial, decision: &Decision) -> (String, bool, bool) {
+    expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
 }
 
 /// The series of a law.
