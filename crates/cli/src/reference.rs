@@ -71,9 +71,11 @@ pub(crate) fn entries() -> Vec<Entry> {
 }
 
 fn tests() -> impl Iterator<Item = Entry> {
-    test::NAMES.iter().map(|(name, words)| Entry {
-        kind: "test",
-        name: (*name).to_string(),
+    let named = |kind| move |entry: &(&'static str, &'static str)| (kind, entry.0, entry.1);
+    let all = test::NAMES.iter().map(named("test")).chain(test::CHECKS.iter().map(named("check")));
+    all.map(|(kind, name, words)| Entry {
+        kind,
+        name: name.to_string(),
         words: plain(words),
         fields: Vec::new(),
         example: String::new(),

@@ -27,6 +27,9 @@ mod volume;
 pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
 pub use numeric::{Numeric, numeric};
+pub use reversed::reversed;
+pub use scaled::scaled;
+pub use segment::segment;
 pub use volume::{Raw, RawType, Volume, VolumeRequest};
 
 /// What a case file says of a medium, and how to make it.

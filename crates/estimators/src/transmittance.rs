@@ -37,6 +37,12 @@ pub trait TransmittanceEstimator: Send + Sync {
         TransmittanceClaims::default()
     }
 
+    /// What a Russian roulette of this estimator makes of `weight` when its uniform is `u`: 0 for a death; none if it plays
+    /// no roulette. Its mean over `u` must be `weight`, and is tested.
+    fn roulette(&self, _weight: f64, _u: f64) -> Option<f64> {
+        None
+    }
+
     /// Refuses a medium that the estimator cannot work in.
     ///
     /// # Errors

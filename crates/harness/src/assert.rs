@@ -3,6 +3,7 @@
 use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::decide::{Decision, Stage, adjust, decide, suspect};
 use crate::judge::{Judged, judge};
+use crate::noiseless;
 use crate::plan::Plan;
 use crate::subject::{Route, Scene, Subject, Work};
 use crate::verdict::Verdict;
@@ -122,7 +123,8 @@ impl Trial {
         let (cancelled, blocks) = (AtomicBool::new(false), Subject::blocks(subject.draws));
         let watch = Watch { cancelled: &cancelled, progress: &|_| () };
         let stage = |blocks| judged(subject, plan, collect(subject, plan, seed, blocks, &watch));
-        let first = stage(0..blocks);
+        let mut first = stage(0..blocks);
+        first.facts.extend(noiseless::facts(subject, plan, seed));
         let second = suspect(&first).then(|| stage(blocks..3 * blocks));
         Self { first, second, draws: subject.draws }
     }

@@ -5,6 +5,7 @@ use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
 use crate::evidence::REPORTING_LEVEL;
 use crate::judge::{Judged, judge};
+use crate::noiseless;
 use crate::plan::Plan;
 use crate::real::Real;
 use crate::results::{Results, SCHEMA_VERSION, SubjectTiming};
@@ -142,6 +143,7 @@ fn first_stage(
         }
     };
     let mut judged = judge(subject, plan, &collected);
+    judged.facts.extend(noiseless::facts(subject, plan, options.seed));
     let growth = grow::Growth {
         seed: options.seed,
         watch,

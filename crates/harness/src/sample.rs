@@ -32,14 +32,34 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
     }
 }
 
+/// Why a block was not finished.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfinished {
+    /// The subject ran past its budget of look-ups or random words, in words.
+    Spent(String),
+    /// It panicked or spoilt its block, in words.
+    Broken(String),
+}
+
 /// Fills `draws` with the block at `key`.
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
 pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
+    let record = sample_from(subject, Streams::new(key), draws)
+        .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
+    let place = BlockPlace { key: faulty_key(subject, key), first, subject };
+    subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
+    Ok(record)
+}
+
+/// Fills `draws` from `streams` under the subject's budget, without the faults that concern finished draws.
+///
+/// # Errors
+/// If the subject panics or runs past its budget.
+pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Result<BlockRecord, Unfinished> {
     let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
-    let key = subject.faults.iter().fold(key, |key, fault| fault.key(key));
-    let (streams, shape) = (Streams::new(key).with_budget(budget), shape(draws));
+    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
@@ -48,15 +68,27 @@ pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) 
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if spent {
-        return Err(format!("more than {budget} look-ups in a block of {} draws", draws.rows));
+        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows);
+        return Err(Unfinished::Spent(why));
     }
     if shape != self::shape(draws) {
-        return Err("the subject changed the length of a column of its block".into());
+        return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
-    let record = BlockRecord { audit, seconds: started.elapsed().as_secs_f64() };
-    let place = BlockPlace { key, first, subject };
-    subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
-    Ok(record)
+    Ok(BlockRecord { audit, seconds: started.elapsed().as_secs_f64() })
+}
+
+/// The address of the randomness that `subject` uses at `key`.
+fn faulty_key(subject: &Subject, key: Key) -> Key {
+    subject.faults.iter().fold(key, |key, fault| fault.key(key))
+}
+
+/// The streams that `subject` uses in place of `streams`.
+fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
+    let moved = Streams::new(faulty_key(subject, streams.key()));
+    match streams.script() {
+        Some(script) => moved.scripted(script.clone()),
+        None => moved,
+    }
 }
 
 /// No draw of an earlier block may stand in for one that the subject forgets to write.
@@ -72,13 +104,13 @@ fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
     (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
-fn why(payload: &(dyn Any + Send)) -> String {
+fn why(payload: &(dyn Any + Send)) -> Unfinished {
     if payload.is::<Spent>() {
-        return "the subject ran past its budget of look-ups or random words".into();
+        return Unfinished::Spent("the subject ran past its budget of look-ups or random words".into());
     }
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default();
-    format!("the subject panicked: {text}")
+    Unfinished::Broken(format!("the subject panicked: {text}"))
 }
 
 fn grey(

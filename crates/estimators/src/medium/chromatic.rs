@@ -127,7 +127,10 @@ impl ChromaticMedium {
     }
 
     /// The same albedos with extinction `by` times as great, over `length`.
-    pub(super) fn with(&self, by: f64, length: f64) -> Result<Self, ParameterError> {
+    ///
+    /// # Errors
+    /// If extinction would not be finite, or the length is not positive.
+    pub fn with(&self, by: f64, length: f64) -> Result<Self, ParameterError> {
         let scaled = |(medium, albedo): &(Constant, f64)| (by * medium.mu(0.0), *albedo);
         let channels: Vec<(f64, f64)> = self.channels.iter().map(scaled).collect();
         Self::new(&channels, length)

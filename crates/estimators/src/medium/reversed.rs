@@ -29,22 +29,30 @@ impl Reversed {
 impl Describe for Reversed {
     fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
         Ok(match self.medium.build(surroundings)? {
-            Built::Grey(inner) => Built::Grey(Arc::new(View::new(&inner)?)),
+            Built::Grey(inner) => Built::Grey(Arc::new(View::new(inner)?)),
             Built::Chromatic(inner) => Built::Chromatic(inner),
         })
     }
 }
 
-struct View {
-    inner: Arc<dyn Medium>,
+/// `inner` seen from its other end, its majorants and breaks with it: [`Reversed`] for any medium.
+///
+/// # Errors
+/// If a bound is not finite.
+pub fn reversed<M: Medium>(inner: M) -> Result<impl Medium, ParameterError> {
+    View::new(inner)
+}
+
+struct View<M> {
+    inner: M,
     length: f64,
     total: f64,
     breaks: Vec<f64>,
     majorants: Majorants,
 }
 
-impl View {
-    fn new(inner: &Arc<dyn Medium>) -> Result<Self, ParameterError> {
+impl<M: Medium> View<M> {
+    fn new(inner: M) -> Result<Self, ParameterError> {
         let length = inner.length();
         let mirrored = inner.breaks().iter().rev().map(|&t| mirror(length, t));
         let unbounded = Self {
@@ -52,9 +60,9 @@ impl View {
             total: inner.tau(length),
             breaks: view::inside(mirrored, length),
             majorants: Majorants::default(),
-            inner: inner.clone(),
+            inner,
         };
-        let bounds = inner.majorants();
+        let bounds = unbounded.inner.majorants();
         let mut segments: Vec<(f64, f64)> = bounds
             .segments()
             .zip(bounds.mu_bar())
@@ -81,7 +89,7 @@ fn place(length: f64, t: f64) -> f64 {
     if s > 0.0 { below } else { s }
 }
 
-impl Extinction for View {
+impl<M: Medium> Extinction for View<M> {
     fn length(&self) -> f64 {
         self.length
     }
@@ -99,11 +107,11 @@ impl Extinction for View {
     }
     fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
         let length = self.length;
-        view::look_up(&*self.inner, t, mu, |t| place(length, t));
+        view::look_up(&self.inner, t, mu, |t| place(length, t));
     }
 }
 
-impl Medium for View {
+impl<M: Medium> Medium for View<M> {
     fn tau(&self, t: f64) -> f64 {
         self.total - self.inner.tau(self.length - t)
     }
@@ -134,7 +142,7 @@ mod tests {
     #[test]
     fn values_by_hand() {
         let inner = Linear::new(0.5, 2.0, 3.0).unwrap();
-        let view = View::new(&grey(inner)).unwrap();
+        let view = View::new(grey(inner)).unwrap();
         assert!((view.mu(1.0) - 1.5).abs() < 1e-15);
         assert_eq!((view.tau(0.0), view.tau(2.0), view.tau(3.0)), (0.0, 3.0, 3.75));
         assert!((view.inverse_tau(3.0) - 2.0).abs() < 1e-15);
@@ -144,7 +152,7 @@ mod tests {
     #[test]
     fn pieces_and_majorants_change_sides() {
         let inner = PiecewiseConstant::new(vec![0.0, 1.0, 3.5], vec![4.0, 0.5]).unwrap();
-        let view = View::new(&grey(inner)).unwrap();
+        let view = View::new(grey(inner)).unwrap();
         assert_eq!(view.breaks(), [2.5]);
         assert_eq!((view.mu(2.4), view.mu(2.5), view.mu(3.5)), (0.5, 4.0, 4.0));
         assert_eq!(view.extrema(0.0, 2.4), (0.5, 0.5));
@@ -165,7 +173,7 @@ mod tests {
         let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
         let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());
         let tight = Majorants::tight(&inner, 26);
-        let view = View::new(&grey(Under::new(inner, tight.clone()))).unwrap();
+        let view = View::new(grey(Under::new(inner, tight.clone()))).unwrap();
         let mut mu_bar = tight.mu_bar().to_vec();
         mu_bar.reverse();
         assert_eq!(view.majorants().mu_bar(), mu_bar);

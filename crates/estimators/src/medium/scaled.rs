@@ -61,14 +61,23 @@ impl Describe for Scaled {
     }
 }
 
-struct View {
+/// `inner` with its extinction and majorants multiplied by `by`: [`Scaled`] for any medium.
+///
+/// # Errors
+/// If `by` is negative or not finite, or extinction would not stay finite.
+pub fn scaled<M: Medium>(by: f64, inner: M) -> Result<impl Medium, ParameterError> {
+    parameter::not_negative("by", by)?;
+    View::new(by, inner)
+}
+
+struct View<M> {
     by: f64,
-    inner: Arc<dyn Medium>,
+    inner: M,
     majorants: Majorants,
 }
 
-impl View {
-    fn new(by: f64, inner: Arc<dyn Medium>) -> Result<Self, ParameterError> {
+impl<M: Medium> View<M> {
+    fn new(by: f64, inner: M) -> Result<Self, ParameterError> {
         let (_, greatest) = inner.extrema(0.0, inner.length());
         let finite = (by * greatest).is_finite();
         parameter::require(finite, "by", by, "small enough for extinction to stay finite")?;
@@ -77,7 +86,7 @@ impl View {
     }
 }
 
-impl Extinction for View {
+impl<M: Medium> Extinction for View<M> {
     fn length(&self) -> f64 {
         self.inner.length()
     }
@@ -101,7 +110,7 @@ impl Extinction for View {
     }
 }
 
-impl Medium for View {
+impl<M: Medium> Medium for View<M> {
     fn tau(&self, t: f64) -> f64 {
         self.by * self.inner.tau(t)
     }

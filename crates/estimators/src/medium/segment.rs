@@ -65,7 +65,7 @@ impl Describe for Segment {
         match medium.build(surroundings)? {
             Built::Grey(inner) => {
                 check(inner.length())?;
-                Ok(Built::Grey(Arc::new(View::new(*from, *to, &inner)?)))
+                Ok(Built::Grey(Arc::new(View::new(*from, *to, inner)?)))
             }
             Built::Chromatic(inner) => {
                 check(inner.length())?;
@@ -75,8 +75,19 @@ impl Describe for Segment {
     }
 }
 
-struct View {
-    inner: Arc<dyn Medium>,
+/// `inner` between `from` and `to`, its majorants and breaks with it: [`Segment`] for any medium.
+///
+/// # Errors
+/// If not 0 <= from < to <= length, or a bound is not finite.
+pub fn segment<M: Medium>(inner: M, from: f64, to: f64) -> Result<impl Medium, ParameterError> {
+    parameter::not_negative("from", from)?;
+    let (length, must_be) = (inner.length(), format!("above from, {from}, and at most {}", inner.length()));
+    parameter::require(to > from && to <= length, "to", to, &must_be)?;
+    View::new(from, to, inner)
+}
+
+struct View<M> {
+    inner: M,
     from: f64,
     to: f64,
     /// The last place that is looked up: below `to` if the inner medium goes on there, perhaps with another piece.
@@ -86,8 +97,8 @@ struct View {
     majorants: Majorants,
 }
 
-impl View {
-    fn new(from: f64, to: f64, inner: &Arc<dyn Medium>) -> Result<Self, ParameterError> {
+impl<M: Medium> View<M> {
+    fn new(from: f64, to: f64, inner: M) -> Result<Self, ParameterError> {
         let shifted = inner.breaks().iter().map(|&s| shift(from, s));
         let unbounded = Self {
             from,
@@ -96,9 +107,9 @@ impl View {
             before: inner.tau(from),
             breaks: view::inside(shifted, to - from),
             majorants: Majorants::default(),
-            inner: inner.clone(),
+            inner,
         };
-        let bounds = inner.majorants();
+        let bounds = unbounded.inner.majorants();
         let cut = bounds.segments().zip(bounds.mu_bar());
         let met = cut.filter(|&((start, end), _)| end > from && start < to);
         let segments = met.map(|((_, end), &mu_bar)| {
@@ -126,7 +137,7 @@ fn place(from: f64, last: f64, t: f64) -> f64 {
     if s > last { last } else { s }
 }
 
-impl Extinction for View {
+impl<M: Medium> Extinction for View<M> {
     fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -144,11 +155,11 @@ impl Extinction for View {
     }
     fn mu_tile(&self, t: &[f64], mu: &mut [f64]) {
         let (from, last) = (self.from, self.last);
-        view::look_up(&*self.inner, t, mu, |t| place(from, last, t));
+        view::look_up(&self.inner, t, mu, |t| place(from, last, t));
     }
 }
 
-impl Medium for View {
+impl<M: Medium> Medium for View<M> {
     fn tau(&self, t: f64) -> f64 {
         let s = self.from + t;
         self.inner.tau(if s < self.to { s } else { self.to }) - self.before
@@ -183,7 +194,7 @@ mod tests {
     #[test]
     fn values_by_hand() {
         let inner = Linear::new(0.5, 2.0, 3.0).unwrap();
-        let view = View::new(1.0, 2.5, &grey(inner)).unwrap();
+        let view = View::new(1.0, 2.5, grey(inner)).unwrap();
         assert_eq!((view.length(), view.mu(1.0), view.tau(0.0)), (1.5, 1.5, 0.0));
         assert!((view.tau(1.0) - 1.25).abs() < 1e-15 && (view.inverse_tau(1.25) - 1.0).abs() < 1e-15);
         assert_eq!((view.majorants().ends(), view.majorants().mu_bar()), (&[1.5][..], &[2.0][..]));
@@ -192,7 +203,7 @@ mod tests {
     #[test]
     fn a_cut_at_a_break_does_not_see_the_piece_beyond() {
         let inner = PiecewiseConstant::new(vec![0.0, 1.0, 2.0, 3.5], vec![4.0, 0.5, 7.0]).unwrap();
-        let view = View::new(1.0, 2.0, &grey(inner)).unwrap();
+        let view = View::new(1.0, 2.0, grey(inner)).unwrap();
         assert_eq!(view.extrema(0.0, 1.0), (0.5, 0.5));
         assert_eq!((view.mu(0.0), view.mu(1.0), view.breaks()), (0.5, 0.5, &[][..]));
     }
@@ -202,7 +213,7 @@ mod tests {
         let edges = vec![0.0, 0.3, 1.1, 1.7, 2.6];
         let inner = grey(PiecewiseConstant::new(edges, vec![2.5, 0.2, 6.0, 0.9]).unwrap());
         let tight = Majorants::tight(&inner, 26);
-        let view = View::new(0.25, 1.33, &grey(Under::new(inner, tight))).unwrap();
+        let view = View::new(0.25, 1.33, grey(Under::new(inner, tight))).unwrap();
         assert_eq!((view.majorants().ends().len(), view.breaks().len()), (12, 2));
         assert_eq!(view.majorants().shortfall(&view), None);
         for (start, end) in view.majorants().segments() {

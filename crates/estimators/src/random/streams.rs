@@ -79,6 +79,14 @@ pub struct StreamRng<'a> {
     budget: u64,
 }
 
+impl StreamRng<'_> {
+    /// Words handed out so far.
+    #[must_use]
+    pub fn drawn(&self) -> u64 {
+        self.drawn
+    }
+}
+
 impl TryRng for StreamRng<'_> {
     type Error = Infallible;
 

@@ -77,6 +77,11 @@ impl TransmittanceEstimator for RatioRoulette {
         walks(self, &rates, Form::Carry, medium, streams, out);
     }
 
+    fn roulette(&self, weight: f64, u: f64) -> Option<f64> {
+        let nowhere = Collision { t: 0.0, mu: 0.0, mfp: 0.0, control: 0.0, u };
+        Some(self.collide(weight, nowhere).0)
+    }
+
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
         let within = truth.majorants().shortfall(truth).is_none();
         let chain = self.chain(truth);

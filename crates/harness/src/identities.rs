@@ -1,0 +1,65 @@
+//! Identities without noise: what must hold exactly, and so fails without a p-value.
+//!
+//! [`facts`] runs the cheap ones on every subject; [`medium`] and [`roulette`] also stand alone, for the tests of a medium or
+//! of a roulette.
+//!
+//! | check | identity |
+//! |---|---|
+//! | `identity_reproducible` | the same seed gives the same draws, one after the other and at once on 4 threads |
+//! | `identity_history` | a draw does not depend on the draws before it: forwards, backwards, fresh and used |
+//! | `identity_streams` | two seeds give two blocks of draws |
+//! | `identity_medium` | tau is the integral of mu, split anywhere; its inverse, extrema, tiles and breaks fit |
+//! | `identity_composition` | T(0, d) = T(0, s) T(s, d) for an estimator without noise |
+//! | `identity_roulette` | the mean weight after a roulette is the weight before |
+//! | `identity_zero_variance` | no noise where the claims say that there is none |
+//! | `identity_counts` | one tentative collision for each real one where every one is real |
+//! | `identity_pdf` | the density that a sampler returns is that of its claims |
+//!
+//! Cost: some 2,000 draws, and some 1,000 evaluations of the medium.
+
+use crate::evidence::Fact;
+use crate::plan::Plan;
+use crate::subject::{Scene, Subject};
+
+mod composition;
+mod counts;
+mod density;
+mod history;
+mod medium;
+mod reproducible;
+mod roulette;
+mod rows;
+mod zero_variance;
+
+pub use medium::medium;
+pub use roulette::roulette;
+
+/// The checks with what they look at.
+pub(crate) const CHECKS: &[(&str, &str)] = &[
+    reproducible::CHECK,
+    history::CHECK,
+    reproducible::STREAMS,
+    medium::CHECK,
+    composition::CHECK,
+    roulette::CHECK,
+    zero_variance::CHECK,
+    counts::CHECK,
+    density::CHECK,
+];
+
+/// Every identity that `subject` violates.
+#[must_use]
+pub fn facts(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    if let Scene::Grey { truth, .. } = subject.scene {
+        facts.extend(medium(truth));
+    }
+    facts.extend(reproducible::facts(subject, seed));
+    facts.extend(history::fact(subject, seed));
+    facts.extend(composition::fact(subject));
+    facts.extend(roulette::of_subject(subject, plan));
+    facts.extend(zero_variance::fact(subject, plan, seed));
+    facts.extend(counts::fact(subject, plan, seed));
+    facts.extend(density::fact(subject));
+    facts
+}

@@ -1,0 +1,59 @@
+use crate::evidence::Fact;
+use crate::subject::{Scene, Subject, Work};
+use crate::verdict::Reason;
+use freepath_estimators::medium::segment;
+use freepath_estimators::{Key, Medium, Streams, TransmittanceEstimator};
+
+/// Check and words.
+pub(super) const CHECK: (&str, &str) = (
+    "identity_composition",
+    "A fact: the transmittance of a ray is that of its two parts multiplied, T(0, d) = T(0, s) T(s, d), for an estimator without \
+noise, up to the bias that it declares.",
+);
+
+/// Where the ray is cut, as a share of its length.
+const CUTS: [f64; 3] = [0.18, 0.41, 0.77];
+
+/// Relative error of an estimate without noise.
+const ROUNDING: f64 = 1e-9;
+
+/// An estimator that takes no random number, on the ray and on its parts.
+pub(super) fn fact(subject: &Subject) -> Option<Fact> {
+    let (Work::Transmittance(estimator), Scene::Grey { truth, .. }) = (subject.work, subject.scene) else {
+        return None;
+    };
+    let whole = without_noise(estimator, truth)?;
+    CUTS.iter().find_map(|share| cut(estimator, truth, share * truth.length(), whole, subject.tolerance))
+}
+
+fn cut(
+    estimator: &dyn TransmittanceEstimator,
+    truth: &dyn Medium,
+    at: f64,
+    whole: f64,
+    tolerance: f64,
+) -> Option<Fact> {
+    let (before, after) = (segment(truth, 0.0, at).ok()?, segment(truth, at, truth.length()).ok()?);
+    estimator.accepts(&before).and(estimator.accepts(&after)).ok()?;
+    let parts = without_noise(estimator, &before)? * without_noise(estimator, &after)?;
+    let declared = bias(estimator, truth) - bias(estimator, &before) - bias(estimator, &after);
+    let slack = ROUNDING + truth.tau_error() + 3.0 * tolerance / whole;
+    let excess = libm::log(whole / parts) - declared;
+    let holds = excess.abs() <= slack || (whole == 0.0 && parts == 0.0);
+    let words = format!("T(0, d) = {whole:e} where T(0, s) T(s, d) = {parts:e} at s = {at}");
+    (!holds).then(|| Fact::new(CHECK.0, Reason::Biased, words))
+}
+
+/// The estimate, if it takes no random number.
+fn without_noise(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium) -> Option<f64> {
+    let streams = Streams::new(Key::default());
+    let mut rng = streams.rng();
+    let estimate = estimator.estimate(&medium, &mut rng);
+    (rng.drawn() == 0).then_some(estimate)
+}
+
+/// ln of the mean that the estimator declares over T.
+fn bias(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium) -> f64 {
+    let depth = medium.tau(medium.length());
+    estimator.claims(medium).own_mean.map_or(0.0, |mean| libm::log(mean) + depth)
+}

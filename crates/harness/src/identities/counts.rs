@@ -1,0 +1,32 @@
+use super::rows::draw;
+use crate::evidence::Fact;
+use crate::plan::Plan;
+use crate::subject::{Scene, Subject};
+use crate::verdict::Reason;
+
+/// Check and words.
+pub(super) const CHECK: (&str, &str) = (
+    "identity_counts",
+    "A fact: where the majorant is mu itself every tentative collision is real, so that a walk of delta tracking has one if it \
+collides and none if it escapes.",
+);
+
+/// Walks that are looked at.
+const ROWS: usize = 256;
+
+/// Walks under a majorant that is mu itself, with other counts than 1 and 0.
+pub(super) fn fact(subject: &Subject, plan: &Plan, seed: u64) -> Option<Fact> {
+    let coleman = plan.law.as_ref().is_some_and(|law| law.coleman);
+    let Scene::Grey { truth, seen } = subject.scene else { return None };
+    let (length, depth) = (truth.length(), truth.majorants().depth(truth.length()));
+    let tight = (depth - truth.tau(length)).abs() <= 1e-13 * depth && seen.majorants() == truth.majorants();
+    if !(coleman && tight) || truth.tau_error() > 0.0 {
+        return None;
+    }
+    let draws = draw(subject, seed, 3000, ROWS)?;
+    let due = |t: f64| u32::from(t < f64::INFINITY);
+    let wrong = draws.t.iter().zip(&draws.collisions).find(|&(&t, &count)| count != due(t))?;
+    let words =
+        format!("a walk to t = {} made {} tentative collisions where {} is due", wrong.0, wrong.1, due(*wrong.0));
+    Some(Fact::new(CHECK.0, Reason::WrongLaw, words))
+}

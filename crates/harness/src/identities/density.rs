@@ -1,0 +1,42 @@
+use crate::evidence::Fact;
+use crate::subject::{Scene, Subject, Work};
+use crate::verdict::Reason;
+
+/// Check and words.
+pub(super) const CHECK: (&str, &str) = (
+    "identity_pdf",
+    "A fact: the density that a chromatic sampler returns must be finite, not negative, and that of the mixture which it claims to \
+draw from, at every distance and at the surface.",
+);
+
+/// Distances at which the densities are compared.
+const POINTS: u32 = 64;
+
+/// Relative error of a density.
+const ROUNDING: f64 = 1e-9;
+
+/// The pdf against the claimed mixture.
+///
+/// ```text
+/// pdf(t) = sum_c q_c mu_c exp(-mu_c t),   pdf(inf) = sum_c q_c exp(-mu_c length)
+/// ```
+pub(super) fn fact(subject: &Subject) -> Option<Fact> {
+    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
+        return None;
+    };
+    let (channels, length) = (medium.channels(), medium.length());
+    let mixture = sampler.claims(&channels).mixture;
+    let claimed = |t: f64| {
+        let density = |mu: f64| if t < f64::INFINITY { mu * libm::exp(-mu * t) } else { libm::exp(-mu * length) };
+        let terms = mixture.iter().flatten().zip(&channels);
+        mixture.as_ref().map(|_| terms.map(|(q, channel)| q * density(channel.extinction.mu(0.0))).sum::<f64>())
+    };
+    let places = (0..POINTS).map(|i| length * (f64::from(i) + 0.5) / f64::from(POINTS)).chain([f64::INFINITY]);
+    places.into_iter().find_map(|t| {
+        let pdf = sampler.pdf(&channels, t)?;
+        let due = claimed(t).unwrap_or(pdf);
+        let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due + subject.tolerance;
+        let words = format!("the pdf at t = {t} is {pdf:e}, that of the claimed mixture {due:e}");
+        (!holds).then(|| Fact::new(CHECK.0, Reason::WrongLaw, words))
+    })
+}

@@ -1,0 +1,27 @@
+use super::rows::{bits, draw};
+use crate::evidence::Fact;
+use crate::subject::{Route, Subject};
+use crate::verdict::Reason;
+
+/// Check and words.
+pub(super) const CHECK: (&str, &str) = (
+    "identity_history",
+    "A fact: a draw must not depend on the draws before it, so that draws from streams of their own are the same forwards, \
+backwards, from a fresh subject and from a used one.",
+);
+
+/// Draws, each from a stream of its own.
+const DRAWS: u64 = 64;
+
+/// The same draws in another order are the same draws: state of a finished history must not leak into the next.
+pub(super) fn fact(subject: &Subject, seed: u64) -> Option<Fact> {
+    let alone = Subject { route: Route::Scalar, ..subject.clone() };
+    let one = |i| draw(&alone, seed, 1000 + i, 1).map(|draws| bits(&draws));
+    let forwards: Vec<_> = (0..DRAWS).map(one).collect::<Option<_>>()?;
+    let mut backwards: Vec<_> = (0..DRAWS).rev().map(one).collect::<Option<_>>()?;
+    backwards.reverse();
+    let differ = forwards.iter().zip(&backwards).filter(|(a, b)| a != b).count();
+    let words =
+        format!("{differ} of {DRAWS} draws, each from a stream of its own, change with the draws before them");
+    (differ > 0).then(|| Fact::new(CHECK.0, Reason::NotReproducible, words))
+}

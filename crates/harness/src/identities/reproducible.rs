@@ -1,0 +1,74 @@
+use super::rows::{bits, draw};
+use crate::evidence::Fact;
+use crate::subject::{Route, Subject, Work};
+use crate::verdict::Reason;
+use std::collections::BTreeMap;
+use std::sync::Barrier;
+use std::thread;
+
+/// Check and words.
+pub(super) const CHECK: (&str, &str) = (
+    "identity_reproducible",
+    "A fact: the same seed must give the same draws, bit by bit, one after the other and from four threads at once.",
+);
+
+/// Check and words.
+pub(super) const STREAMS: (&str, &str) = (
+    "identity_streams",
+    "A fact: two blocks of draws that should be independent are copies of each other, as of workers with one seed.",
+);
+
+/// Draws of a block.
+const ROWS: usize = 256;
+
+/// Threads at once.
+const THREADS: u64 = 4;
+
+/// Copies by chance have at most this probability before they are a fact.
+const CHANCE: f64 = 1e-15;
+
+/// What the same seed twice, four threads at once and two seeds have to say, by each method.
+pub(super) fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
+    let routes = if subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
+    routes.iter().find_map(|&route| of_route(&Subject { route, ..subject.clone() }, seed)).into_iter().collect()
+}
+
+fn of_route(subject: &Subject, seed: u64) -> Option<Fact> {
+    let block = |i| draw(subject, seed, i, ROWS).map(|draws| bits(&draws));
+    let alone: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
+    let again: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
+    if alone != again {
+        return Some(Fact::new(CHECK.0, Reason::NotReproducible, "the same seed twice gave other draws"));
+    }
+    if alone != at_once(subject, seed)? {
+        let words = format!("{THREADS} threads at once gave other draws than one");
+        return Some(Fact::new(CHECK.0, Reason::NotReproducible, words));
+    }
+    let deterministic = matches!(subject.work, Work::ClosedForm);
+    let copied = !deterministic && alone[0] == alone[1] && chance(&alone[0]) < CHANCE;
+    copied.then(|| {
+        Fact::new(STREAMS.0, Reason::Dependent, "two blocks of draws of different streams are equal, draw by draw")
+    })
+}
+
+/// The blocks of [`of_route`] from as many threads, started together.
+fn at_once(subject: &Subject, seed: u64) -> Option<Vec<Vec<Vec<u64>>>> {
+    let together = Barrier::new(THREADS as usize);
+    let block = |i| {
+        together.wait();
+        draw(subject, seed, i, ROWS).map(|draws| bits(&draws))
+    };
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..THREADS).map(|i| scope.spawn(move || block(i))).collect();
+        workers.into_iter().map(|worker| worker.join().ok().flatten()).collect()
+    })
+}
+
+/// The probability that another block of such draws is the same by chance: (sum of f^2)^rows over the shares f of the values.
+fn chance(block: &[Vec<u64>]) -> f64 {
+    let mut counts: BTreeMap<&[u64], f64> = BTreeMap::new();
+    block.iter().for_each(|row| *counts.entry(row).or_default() += 1.0);
+    let rows = block.len() as f64;
+    let same: f64 = counts.values().map(|n| (n / rows) * (n / rows)).sum();
+    libm::pow(same, rows)
+}

@@ -1,0 +1,17 @@
+//! What statistics cannot see: [`scripted`] generators and [`identities`], for every subject and without noise.
+
+use crate::evidence::Fact;
+use crate::identities;
+use crate::plan::Plan;
+use crate::scripted::scripted;
+use crate::subject::Subject;
+
+/// Every contradiction that needs no statistics: facts of stage 1.
+///
+/// Cost: some 10,000 draws. A subject that cannot be run says so here, too.
+#[must_use]
+pub fn facts(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
+    let mut facts = scripted(subject, plan, seed);
+    facts.extend(identities::facts(subject, plan, seed));
+    facts
+}

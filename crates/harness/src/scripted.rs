@@ -1,0 +1,137 @@
+//! Scripted generators: every subject is also driven by the ends of [0, 1), which no amount of sampling meets.
+//!
+//! A logarithm of 0 has a probability of 2^-53 for each draw. Here the words that give 0, 2^-53, 2^-52, 2^-24, 1/2,
+//! 1 - 2^-24 and the largest uniform below 1 stand at each of the first eight positions of an otherwise real stream, and
+//! constant and alternating at the first 64; through the scalar method and through the block method, where a word goes to a
+//! whole row of lanes. A finding is a fact.
+//!
+//! | seen | reason |
+//! |---|---|
+//! | NaN; an infinite weight | `non_finite` |
+//! | an escape from a medium of optical depth 1000, where the law has none | `non_finite` |
+//! | a draw or a look-up outside the ray, a weight outside its claimed range | `out_of_support` |
+//! | a panic; the budget of look-ups or random words spent | `subject_error` |
+//!
+//! After the script every stream is real again, since under one that never changes a right subject need not end, and to
+//! break it off would spoil what it holds. A loop that neither looks up nor takes random words cannot be ended by anyone.
+//!
+//! Cost: some 3,000 draws for each method, and at most 10^6 look-ups.
+
+use crate::evidence::Fact;
+use crate::plan::Plan;
+use crate::sample::{Unfinished, columns, sample_from};
+use crate::subject::{Route, Scene, Subject, Work};
+use crate::verdict::Reason;
+use freepath_estimators::random::Script;
+use freepath_estimators::{Draws, Key, Streams};
+
+mod inspect;
+mod script;
+mod thick;
+
+pub use script::Scripted;
+
+/// The check's name.
+pub(crate) const CHECK: &str = "scripted";
+
+/// What it looks at.
+pub(crate) const WORDS: &str = "A fact: driven by uniforms at the ends of [0, 1) (0, 2^-53, 2^-24, 1/2, the largest below 1) at each of the first eight \
+positions of its stream and at the first 64, a subject gave NaN, an infinity where a finite value is due, a draw or a look-up outside the ray, or did not end.";
+
+/// Blocks of scripted draws are numbered from here, beyond those of stages and growth.
+const FIRST_BLOCK: u64 = 1 << 41;
+
+/// Most look-ups of one method: a subject that makes more for a draw meets fewer scripts, the first positions first.
+const MOST_LOOKUPS: u64 = 1_000_000;
+
+/// What the ends of [0, 1) bring out in `subject`: at most one fact for each method and reason.
+#[must_use]
+pub fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
+    let routes: &[Route] = if subject.one_by_one() || !has_methods(subject) {
+        &[Route::Scalar]
+    } else {
+        &[Route::Block, Route::Scalar]
+    };
+    routes.iter().flat_map(|&route| by(&Subject { route, ..subject.clone() }, plan, seed)).collect()
+}
+
+/// The harness's own sources have one method.
+fn has_methods(subject: &Subject) -> bool {
+    !matches!(subject.work, Work::Exact | Work::ClosedForm)
+}
+
+/// Every script through one method.
+fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
+    let rows = rows(subject.route);
+    let (mut draws, mut found, mut lookups) = (columns(subject, rows), Findings::default(), 0);
+    for (i, scripted) in Scripted::all(Key { seed, subject: subject.key, block: FIRST_BLOCK }).enumerate() {
+        let key = Key { seed, subject: subject.key, block: FIRST_BLOCK + i as u64 };
+        match drive(subject, key, &scripted.script, &mut draws) {
+            Ok(outside) => {
+                lookups += outside.0;
+                found.add(&scripted, inspect::draws(subject.work, plan, length(subject), &draws));
+                found.add(&scripted, inspect::lookups(outside.1));
+            }
+            Err(Unfinished::Spent(why) | Unfinished::Broken(why)) => {
+                found.add(&scripted, Some((Reason::SubjectError, why)));
+                break; // one hang is enough
+            }
+        }
+        if lookups > MOST_LOOKUPS {
+            break;
+        }
+    }
+    found.extend(thick::escapes(subject, plan, seed));
+    found.facts(subject.route)
+}
+
+/// Draws of each script: enough for one uniform a draw to meet every position, and two rows of lanes.
+fn rows(route: Route) -> usize {
+    if route == Route::Block { 40 } else { 8 }
+}
+
+fn length(subject: &Subject) -> f64 {
+    match subject.scene {
+        Scene::Grey { truth, .. } => truth.length(),
+        Scene::Chromatic(medium) => medium.length(),
+    }
+}
+
+/// Draws behind `script`: look-ups, and those outside the ray.
+fn drive(subject: &Subject, key: Key, script: &Script, draws: &mut Draws) -> Result<(u64, u64), Unfinished> {
+    let record = sample_from(subject, Streams::new(key).scripted(script.clone()), draws)?;
+    Ok((record.audit.lookups, record.audit.outside))
+}
+
+/// The first finding of each reason, and how many scripts gave it.
+#[derive(Default)]
+struct Findings(Vec<(Reason, String, usize)>);
+
+impl Findings {
+    fn add(&mut self, scripted: &Scripted, finding: Option<(Reason, String)>) {
+        let Some((reason, what)) = finding else { return };
+        match self.0.iter_mut().find(|found| found.0 == reason) {
+            Some(found) => found.2 += 1,
+            None => self.0.push((reason, format!("{}: {what}", scripted.name), 1)),
+        }
+    }
+
+    fn extend(&mut self, more: Findings) {
+        for (reason, what, scripts) in more.0 {
+            match self.0.iter_mut().find(|found| found.0 == reason) {
+                Some(found) => found.2 += scripts,
+                None => self.0.push((reason, what, scripts)),
+            }
+        }
+    }
+
+    fn facts(self, route: Route) -> Vec<Fact> {
+        let method = if route == Route::Block { "in blocks" } else { "one by one" };
+        let fact = |(reason, what, scripts): (Reason, String, usize)| {
+            let more =
+                if scripts > 1 { format!(" (and under {} more scripts)", scripts - 1) } else { String::new() };
+            Fact::new(CHECK, reason, format!("drawn {method} with {what}{more}"))
+        };
+        self.0.into_iter().map(fact).collect()
+    }
+}
