@@ -84,10 +84,11 @@ fn faulty_key(subject: &Subject, key: Key) -> Key {
 
 /// The streams that `subject` uses in place of `streams`.
 fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
-    let moved = Streams::new(faulty_key(subject, streams.key()));
+    let key = faulty_key(subject, streams.key());
     match streams.script() {
-        Some(script) => moved.scripted(script.clone()),
-        None => moved,
+        _ if key == streams.key() => streams,
+        Some(script) => Streams::new(key).scripted(script.clone()),
+        None => Streams::new(key),
     }
 }
 
