@@ -192,14 +192,17 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         let t = right(rng);
         path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
     });
-    let thin = law(|_, rng| path(right(rng) / 0.97));
+    let thin = || law(|_, rng| path(right(rng) / 0.97));
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
         ("atom", Reason::WrongLaw, atom),
         ("chi_square_16", Reason::WrongLaw, lobe),
         ("chi_square_64", Reason::WrongLaw, narrow),
         ("chi_square_fine", Reason::WrongLaw, needle),
-        ("kolmogorov", Reason::WrongLaw, thin),
+        ("kolmogorov", Reason::WrongLaw, thin()),
+        ("anderson_darling", Reason::WrongLaw, thin()),
+        ("cramer_von_mises", Reason::WrongLaw, thin()),
+        ("kuiper", Reason::WrongLaw, thin()),
         ("ties", Reason::Dependent, repeated),
     ]
 }

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
     let Command { verb, color } = Command::parse();
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),

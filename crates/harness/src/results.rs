@@ -4,10 +4,12 @@ use crate::real::Real;
 use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
+mod grown;
 mod law;
 mod mean;
 mod medium;
 
+pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
@@ -87,6 +89,9 @@ pub struct SubjectResult {
     pub draws: u64,
     /// Draws taken in stage 2, 0 if there was none.
     pub draws_stage2: u64,
+    /// Rows of a file of samples that were not judged, since fewer were asked for.
+    #[serde(skip_serializing_if = "is_zero", default)]
+    pub draws_left: u64,
     /// The mean of a transmittance estimator.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub mean: Option<MeanResult>,
@@ -118,6 +123,11 @@ pub struct SubjectResult {
     pub order: Option<OrderResult>,
     /// The command that repeats this subject alone.
     pub repro: String,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(n: &u64) -> bool {
+    *n == 0
 }
 
 /// One test in one stage.

@@ -2,12 +2,18 @@
 
 mod cells;
 mod counts;
+mod extremes;
 mod lag;
+mod smallest;
 mod sums;
+mod tail;
 mod ties;
 
 pub use cells::CellTally;
 pub use counts::CountTally;
+pub use extremes::{Extremes, KEPT};
 pub use lag::{LagTally, Scores};
+pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
+pub use tail::Tail;
 pub use ties::TieTally;

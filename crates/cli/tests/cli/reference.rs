@@ -18,7 +18,7 @@ fn every_name_is_listed_with_a_sentence_and_described() {
     let has = |kind: &str, name: &str| listed.iter().any(|entry| entry["kind"] == kind && entry["name"] == name);
     assert!(FreePathSubject::names().iter().all(|name| has("free_path", name)));
     assert!(TransmittanceSubject::names().iter().all(|name| has("transmittance", name)));
-    assert!(ChromaticSubject::NAMES.iter().all(|name| has("chromatic", name)));
+    assert!(ChromaticSubject::names().iter().all(|name| has("chromatic", name)));
     assert!(has("medium", "voxel_grid") && has("fault", "nan_draw") && has("reason", "biased"));
     for entry in &listed {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
@@ -51,14 +51,40 @@ fn every_example_can_be_run() {
     let folder = folder("examples");
     for (i, entry) in listed(&folder).iter().enumerate() {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
-        // A test has no place in a case, and there is no volume to read.
-        if kind == "test" || name == "voxel_grid" {
+        // A test has no place in a case, a fault fits some subjects only, and there is no file to read.
+        if ["test", "check", "fault"].contains(&kind) || ["voxel_grid", "samples"].contains(&name) {
             continue;
         }
         put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
+}
+
+#[test]
+fn every_fault_can_be_planted_as_its_example_says() {
+    let folder = folder("faults");
+    let cells = json!({ "piecewise_constant": { "edges": [0.0, 0.75, 2.0], "values": [3.0, 5.0] } });
+    let channels = json!({ "chromatic": { "sigma_t": [0.0, 1.0], "sigma_s": [0.0, 0.0], "length": 2.0 } });
+    let grey = [
+        json!({ "free_path": { "delta_tracking": {} } }),
+        json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
+        json!({ "transmittance": { "ratio_tracking": {} } }),
+        json!({ "transmittance": { "residual_ratio_tracking": { "control": "mean" } } }),
+    ];
+    let chromatic = [json!({ "chromatic": { "balance": {} } }), json!({ "chromatic": { "single_channel": {} } })];
+    let places = grey.iter().map(|subject| (&cells, subject));
+    let places: Vec<_> = places.chain(chromatic.iter().map(|subject| (&channels, subject))).collect();
+    for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
+        let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
+        let fits = places.iter().any(|(medium, subject)| {
+            let mut case = json!({ "title": "A fault", "medium": medium, "subjects": [subject] });
+            case["subjects"][0]["fault"] = fault["fault"].clone();
+            put(&folder, "fault.json", &case.to_string());
+            run(&folder, &["run", "fault.json", "--draws", "1", "--quiet"]).0 != 2
+        });
+        assert!(fits, "{fault}");
+    }
 }
 
 fn case(kind: &str, example: &Value) -> Value {

@@ -31,7 +31,7 @@ pub(super) struct Place<'a> {
 
 impl Place<'_> {
     /// `file` in the case's folder; a path that leaves the folder needs permission.
-    fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
+    pub(super) fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
         let inside =
             Path::new(file).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
         let path = self.folder.join(file);

@@ -15,7 +15,7 @@ use freepath_estimators::parameter::require;
 #[serde(deny_unknown_fields)]
 pub struct BackwardCells {
     /// The ray's direction along the cells: not 0. Reverse the medium for a negative one.
-    direction: f64,
+    along: f64,
 }
 
 impl Plant for BackwardCells {
@@ -23,15 +23,15 @@ impl Plant for BackwardCells {
         Layer::LookUps
     }
     fn check(&self) -> Result<(), ParameterError> {
-        let allowed = self.direction.is_finite() && self.direction != 0.0;
-        require(allowed, "direction", self.direction, "finite and not 0").map(drop)
+        let allowed = self.along.is_finite() && self.along != 0.0;
+        require(allowed, "along", self.along, "finite and not 0").map(drop)
     }
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.looks_up()?;
         target.has_constant_cells()
     }
     fn lay<'a>(&'a self, site: Site<'a>) -> Option<Box<dyn Overlay + 'a>> {
-        let backward = self.direction < 0.0;
+        let backward = self.along < 0.0;
         backward.then(|| Box::new(Next(site.medium)) as Box<dyn Overlay + 'a>)
     }
 }

@@ -16,14 +16,14 @@ use freepath_estimators::parameter::require;
 #[serde(deny_unknown_fields)]
 pub struct EnhancedCrossSection {
     /// c, at least 1.
-    factor: f64,
+    times: f64,
     /// The share of mu that is not made up for.
     share: f64,
 }
 
 impl EnhancedCrossSection {
     fn excess(&self) -> f64 {
-        1.0 + self.share * (self.factor - 1.0)
+        1.0 + self.share * (self.times - 1.0)
     }
 }
 
@@ -32,8 +32,8 @@ impl Plant for EnhancedCrossSection {
         Layer::LookUps
     }
     fn check(&self) -> Result<(), ParameterError> {
-        let allowed = self.factor >= 1.0 && self.factor < f64::INFINITY;
-        require(allowed, "factor", self.factor, "finite and at least 1")?;
+        let allowed = self.times >= 1.0 && self.times < f64::INFINITY;
+        require(allowed, "times", self.times, "finite and at least 1")?;
         let allowed = self.share >= 0.0 && self.share <= 1.0;
         require(allowed, "share", self.share, "from 0 to 1").map(drop)
     }

@@ -5,7 +5,7 @@ use freepath_estimators::{Majorants, Medium, ParameterError};
 /// A majorant larger than it need be (pbrt-v4, issue 189: the maxima of two grids are added where that of both suffices).
 ///
 /// ```text
-/// right: mu_bar = max mu;   wasteful: mu_bar = factor max mu
+/// right: mu_bar = max mu;   wasteful: mu_bar = times max mu
 /// ```
 ///
 /// Shows in: the number of look-ups and of tentative collisions; law and mean are exact, and nothing may call them biased.
@@ -13,7 +13,7 @@ use freepath_estimators::{Majorants, Medium, ParameterError};
 #[serde(deny_unknown_fields)]
 pub struct LooseMajorant {
     /// At least 1.
-    factor: f64,
+    times: f64,
 }
 
 impl Plant for LooseMajorant {
@@ -21,13 +21,13 @@ impl Plant for LooseMajorant {
         Layer::Majorants
     }
     fn check(&self) -> Result<(), ParameterError> {
-        let allowed = self.factor >= 1.0 && self.factor < f64::INFINITY;
-        require(allowed, "factor", self.factor, "finite and at least 1").map(drop)
+        let allowed = self.times >= 1.0 && self.times < f64::INFINITY;
+        require(allowed, "times", self.times, "finite and at least 1").map(drop)
     }
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.asks_majorants()
     }
     fn bounds(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
-        majorants.map_bounds(|mu_bar| self.factor * mu_bar)
+        majorants.map_bounds(|mu_bar| self.times * mu_bar)
     }
 }

@@ -24,8 +24,8 @@ impl Plant for SameSeed {
     fn check(&self) -> Result<(), ParameterError> {
         require(self.copies >= 2, "copies", self.copies, "at least 2").map(drop)
     }
-    fn fits(&self, _target: &Target) -> Result<(), String> {
-        Ok(())
+    fn fits(&self, target: &Target) -> Result<(), String> {
+        if target.estimator == "samples" { Err("a file of samples has no seed".into()) } else { Ok(()) }
     }
     fn key(&self, key: Key) -> Key {
         Key { block: key.block - key.block % self.copies, ..key }

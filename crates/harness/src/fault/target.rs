@@ -36,7 +36,7 @@ impl Target<'_> {
 
     /// Only over subjects that look up one extinction.
     pub(super) fn looks_up(&self) -> Result<(), String> {
-        let blind = ["exact", "closed_form"].contains(&self.estimator) || self.medium.is_none();
+        let blind = ["exact", "closed_form", "samples"].contains(&self.estimator) || self.medium.is_none();
         let why = || format!("it is laid over look-ups of one extinction, and {} makes none", self.estimator);
         if blind { Err(why()) } else { Ok(()) }
     }

@@ -70,12 +70,12 @@ fn majorants_that_do_not_bound_have_the_known_size() {
 fn spoilt_look_ups_have_the_known_size() {
     is(0.6065, A, DELTA, r#""direction_length": { "length": 2.0 }"#);
     is(0.3679, A, RATIO, r#""missing_scale": { "factor": 0.5 }"#);
-    is(0.0183, A, DELTA, r#""enhanced_cross_section": { "factor": 2.0, "share": 1.0 }"#);
+    is(0.0183, A, DELTA, r#""enhanced_cross_section": { "times": 2.0, "share": 1.0 }"#);
     is(0.1655, D, DELTA, r#""inverted_acceptance": {}"#);
     is(0.0174, C, REGULAR, r#""next_cell": {}"#);
     let reversed = format!(r#"{{ "reversed": {{ "medium": {C} }} }}"#);
-    is(0.287, &reversed, REGULAR, r#""backward_cells": { "direction": -1.0 }"#);
-    is(0.0707, &reversed, REGULAR, r#""backward_cells": { "direction": 1.0 }"#);
+    is(0.287, &reversed, REGULAR, r#""backward_cells": { "along": -1.0 }"#);
+    is(0.0707, &reversed, REGULAR, r#""backward_cells": { "along": 1.0 }"#);
     let part = format!(r#"{{ "segment": {{ "from": 0.0, "to": 1.8, "medium": {C} }} }}"#);
     is(0.0707, &part, REGULAR, r#""uncut_segment": { "by": 0.2 }"#);
 }
@@ -163,7 +163,7 @@ fn a_fault_is_refused_where_it_does_not_fit() {
         (refusal(A, carry, r#""repeated_flight": {}"#), "the form `restart`"),
         (refusal(B, DELTA, r#""next_cell": {}"#), "a medium of constant cells"),
         (refusal(A, DELTA, r#""truncated_weight": { "below": 0.1 }"#), "not over a free_path one"),
-        (refusal(A, DELTA, r#""loose_majorant": { "factor": 0.5 }"#), "finite and at least 1, not 0.5"),
+        (refusal(A, DELTA, r#""loose_majorant": { "times": 0.5 }"#), "finite and at least 1, not 0.5"),
         (refusal(A, DELTA, r#""zero_step": { "bits": 60 }"#), "8 to 52, not 60"),
         (refusal(A, DELTA, r#""cell_majorant": { "at": "start" }"#), "a medium of several cells"),
         (refusal(G, r#""chromatic": { "balance": {} }"#, r#""channel_pdf": { "channel": 3 }"#), "no channel 3"),

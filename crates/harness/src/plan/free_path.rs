@@ -1,4 +1,4 @@
-use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scores, Subject, pair_probability};
+use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scores, Subject, Work, pair_probability};
 use crate::test::larger;
 use crate::verdict::Reason;
 
@@ -22,6 +22,13 @@ impl LawPlan {
     pub(super) fn of(subject: &Subject, truth: &dyn Medium, claims: &FreePathClaims) -> Self {
         let slack = subject.tolerance + truth.tau_error();
         let law = Law::new(truth.length(), slack, |t| libm::exp(-truth.tau(t)));
+        let law = match subject.work {
+            Work::Samples(..) => {
+                let rounding = subject.tolerance * law.steepness(); // each t may be off by that share of it
+                law.loosened(rounding)
+            }
+            _ => law,
+        };
         let own = claims.own_law.as_ref().map(|survival| law.with_survival(subject.tolerance + 1e-9, survival));
         let reason = if own.is_some() { Reason::Biased } else { Reason::WrongLaw };
         let mut plan = Self::with(law, own, subject, reason);

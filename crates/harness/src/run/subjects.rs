@@ -1,5 +1,6 @@
 //! The result of one subject.
 
+use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
@@ -8,10 +9,12 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, FactResult, LawResult, MeanResult, OrderResult, Series,
+    Atom, AuditResult, ChannelResult, Efficiency, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
+use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
+use crate::subject::Work;
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, larger, mean};
 use crate::verdict::Reason;
@@ -28,6 +31,9 @@ pub(super) fn result(
     let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
     let id = id(case, prepared);
+    let rejections = [Some(first), second].into_iter().flatten().flat_map(|stage| tests((1, stage)));
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections));
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
@@ -51,9 +57,10 @@ pub(super) fn result(
         innocent: prepared.spec.innocent,
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
+        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
-        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
-        law: cells.map(|(plan, cells)| law_result(plan, cells)),
+        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
+        law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
         facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
@@ -107,7 +114,11 @@ pub fn quoted(text: &str) -> String {
 }
 
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let flags = options.repro.rfind(" --seed ").map_or("", |at| &options.repro[at..]);
+    let flags = match options.repro.rfind(" --seed ") {
+        Some(at) => &options.repro[at..],
+        None if options.repro.is_empty() => "",
+        None => return options.repro.clone(), // nothing is drawn: the command is about this subject alone
+    };
     format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
@@ -149,9 +160,14 @@ fn audit(seen: &Collected) -> AuditResult {
     }
 }
 
-fn mean_result(plan: &MeanPlan, sums: &PowerSums) -> MeanResult {
+fn mean_result(plan: &MeanPlan, sums: &PowerSums, grown: Option<&Grown>) -> MeanResult {
     let (_, interval) = mean("mean", sums, &plan.truth, Reason::Biased);
-    MeanResult { own: plan.own.map(|own| Real(own.expected)), ..with_interval(&plan.truth, sums, &interval) }
+    MeanResult {
+        own: plan.own.map(|own| Real(own.expected)),
+        bound: grown.map_or(Real(interval.bound()), |grown| grown.bound),
+        grown: grown.cloned(),
+        ..with_interval(&plan.truth, sums, &interval)
+    }
 }
 
 fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
@@ -168,12 +184,13 @@ fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> Me
         variance_expected: claim.variance.map(Real),
         skewness: Real(sums.skewness()),
         method: interval.method.name().into(),
+        grown: None,
     }
 }
 
 fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelResult> {
     let all = claims.iter().zip(seen.iter().flat_map(|seen| &seen.channels));
-    let one = |(claim, (sums, _)): (&ChannelClaim, &(PowerSums, PowerSums))| {
+    let one = |(claim, sums): (&ChannelClaim, &PowerSums)| {
         let event = match claim.event {
             Event::Scatter => "scatter",
             Event::Surface => "surface",
@@ -187,7 +204,7 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
 }
 
 /// sup |F_n - F| over the edges of the cells, and over all t at the most.
-fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
+pub(super) fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     let n = tally.draws() as f64;
     let (mut below, mut edges, mut all) = (0, 0.0, 0.0);
     for (k, count) in tally.cells.iter().enumerate() {
@@ -200,7 +217,7 @@ fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     (edges, all)
 }
 
-fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
+fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawResult {
     let (n, law) = (tally.draws(), &plan.truth);
     let (distance, hidden) = distances(law, tally);
     let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
@@ -208,7 +225,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
     let band = series::band(n);
     LawResult {
         distance: Real(distance),
-        bound: Real(hidden + band),
+        bound: grown.map_or(Real(hidden + band), |grown| grown.bound),
         detectable: Real(band + power),
         atom: Atom {
             expected: Real(law.atom()),
@@ -216,6 +233,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
             low: Real(low),
             high: Real(high),
         },
+        grown: grown.cloned(),
     }
 }
 
@@ -230,6 +248,7 @@ fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
     let refusal = match () {
         () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
         () if exact => "zero variance: exact",
+        () if matches!(trial.subject.work, Work::Samples(..)) => "samples: look-ups are not known",
         () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
             "dominated by rare events"
         }

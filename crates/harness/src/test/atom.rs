@@ -25,7 +25,7 @@ pub(super) fn standardised(difference: f64, error: f64) -> f64 {
 }
 
 /// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.
-pub(super) fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
+pub(crate) fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
     let (low, high) = (expected - slack, expected + slack);
     match () {
         () if seen < low => low,
