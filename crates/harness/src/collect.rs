@@ -115,7 +115,7 @@ impl Worker {
         let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
         let joint = Joint::new(plan);
         let counts = Counts { cells, ends, collisions, joint, tails, ..Counts::default() };
-        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
+        Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
     /// One block, the `nth` of its range.
@@ -352,7 +352,7 @@ pub fn collect(
         for block in wave {
             collected.fold(&block.map_err(Stopped::Subject)?);
         }
-        (watch.progress)((end - start) * BLOCK as u64);
+        (watch.progress)((end - start) * subject.rows as u64);
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();

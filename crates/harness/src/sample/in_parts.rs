@@ -1,6 +1,6 @@
-use super::{Unfinished, rounding, why};
+use super::{Unfinished, faulty_streams, rounding, why};
 use crate::audit::{Audit, Audited};
-use crate::fault::Faulty;
+use crate::fault::{Faulty, Site, Wrapped};
 use crate::subject::{Scene, Subject, Work};
 use freepath_estimators::medium::segment;
 use freepath_estimators::random::StreamRng;
@@ -23,8 +23,9 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
     let (head, tail) = (part(0.0, cut)?, part(cut, seen.length())?);
     let budget = subject.lookups_per_draw.saturating_mul(t.len() as u64);
     let audited = [&head, &tail].map(|part| Audited::new(part, budget, rounding(subject)));
-    let parts = [&audited[0], &audited[1]].map(|audited| Faulty::new(audited, subject.faults));
-    let streams = Streams::new(key).with_budget(budget);
+    let streams = faulty_streams(subject, Streams::new(key)).with_budget(budget);
+    let site = |medium| Site { medium, key: streams.key() };
+    let parts = [&audited[0], &audited[1]].map(|audited| Faulty::new(site(audited), subject.faults));
     let run = AssertUnwindSafe(|| {
         let mut rng = streams.rng();
         for t in t.iter_mut() {
@@ -47,8 +48,13 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
 
 /// The distance in one part; one that lies outside of it is nowhere.
 fn draw(sampler: &dyn FreePathSampler, part: &Faulty, rng: &mut StreamRng) -> f64 {
-    part.begin();
-    let t = sampler.sample(part, rng).t;
+    let t = loop {
+        part.begin();
+        let path = sampler.sample(part, &mut Wrapped::new(rng, part.overlays()));
+        if let Some(path) = part.finish(path) {
+            break path.t;
+        }
+    };
     if (0.0..=part.length()).contains(&t) || t == f64::INFINITY || t.is_nan() { t } else { NOWHERE }
 }
 
