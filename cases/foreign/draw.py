@@ -20,8 +20,12 @@ SEED = 20261122
 
 
 def case(out, name, title, medium, subjects):
-    """Writes a case; each subject is (kind, name, file, note on how it was drawn)."""
-    listed = [{kind: {"samples": {"file": file}}, "name": label} for kind, label, file in subjects]
+    """Writes a case; each subject is (kind, name, file), and the reason for which it must fail, if it must."""
+
+    def subject(kind, label, file, reason=None):
+        return {kind: {"samples": {"file": file}}, "name": label} | ({"expect": {"fail": reason}} if reason else {})
+
+    listed = [subject(*s) for s in subjects]
     body = {"title": title, "medium": medium, "subjects": listed}
     (out / f"{name}.json").write_text(json.dumps(body, indent=2) + "\n")
 
@@ -61,7 +65,7 @@ def draw_numpy(out, n=1_000_000):
     np.save(out / "numpy_delta_late.npy", delta_tracking(wrong, 4.2, 2.3, n, rng))
     medium = {"gaussian": {"peak": 4.0, "center": 0.9, "width": 0.25, "length": 2.3, "base": 0.2}}
     files = [("free_path", "delta tracking of 10 lines", "numpy_delta.npy"),
-             ("free_path", "the same, looking up 0.004 late", "numpy_delta_late.npy")]
+             ("free_path", "the same, looking up 0.004 late", "numpy_delta_late.npy", "wrong_law")]
     case(out, "numpy_delta_tracking", "Delta tracking in NumPy", medium, files)
 
 
