@@ -10,8 +10,7 @@ use freepath_harness::test::{BlockLookups, lookups};
 const ROWS: usize = 16_384;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
-    let settings =
-        [20, 61, 1000].into_iter().flat_map(|blocks| [1.05, 1.5, 4.0].map(|over| (blocks, over)));
+    let settings = [20, 61, 1000].into_iter().flat_map(|blocks| [1.05, 1.5, 4.0].map(|over| (blocks, over)));
     settings.map(|(blocks, over)| row(effort, blocks, over)).collect()
 }
 
