@@ -193,6 +193,7 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
     });
     let thin = || law(|_, rng| path(right(rng) / 0.97));
+    let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
         ("atom", Reason::WrongLaw, atom),
@@ -203,6 +204,7 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         ("anderson_darling", Reason::WrongLaw, thin()),
         ("cramer_von_mises", Reason::WrongLaw, thin()),
         ("kuiper", Reason::WrongLaw, thin()),
+        ("berk_jones", Reason::WrongLaw, hot),
         ("ties", Reason::Dependent, repeated),
     ]
 }
@@ -295,7 +297,7 @@ fn by_design() -> Vec<(&'static str, Reason, Judgement)> {
         claims: |truth| TransmittanceClaims { own_mean: Some(1.05 * escape()), ..of_ratio(truth) },
         ..changed(|path, _| path)
     };
-    let names = ["own_atom", "own_chi_square_16", "own_chi_square_64", "own_kolmogorov"];
+    let names = ["own_atom", "own_chi_square_16", "own_chi_square_64", "own_kolmogorov", "own_berk_jones"];
     let law = names.map(|name| (name, Reason::WrongLaw, of_path(&other, 400_000)));
     law.into_iter().chain([("own_mean", Reason::WrongLaw, of_estimate(&mean, 400_000))]).collect()
 }

@@ -5,7 +5,9 @@ use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
 use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject, Work};
-use crate::tally::{Batch, Batches, CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
+use crate::tally::{
+    Batch, Batches, CellTally, CountTally, Extremes, LagTally, PowerSums, Running, Tail, TieTally,
+};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -26,6 +28,8 @@ const FIRST_BLOCKS: u64 = 4;
 pub struct Counts {
     /// Free paths by cell.
     pub cells: Option<CellTally>,
+    /// The free paths nearest to either end.
+    pub ends: Option<Box<Extremes>>,
     /// Tentative collisions.
     pub collisions: Option<CountTally>,
     /// Neighbouring draws.
@@ -100,10 +104,11 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
+        let ends = plan.law.as_ref().map(|law| Box::new(Extremes::new(law.truth.length())));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
         let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
-        let counts = Counts { cells, collisions, tails, ..Counts::default() };
+        let counts = Counts { cells, ends, collisions, tails, ..Counts::default() };
         Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
@@ -133,6 +138,9 @@ impl Worker {
         let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
+            if let Some(ends) = &mut counts.ends {
+                ends.observe(&draws.t);
+            }
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
             }
@@ -182,6 +190,9 @@ impl Worker {
 impl Counts {
     fn merge(&mut self, other: Self) {
         if let (Some(a), Some(b)) = (&mut self.cells, &other.cells) {
+            a.merge(b);
+        }
+        if let (Some(a), Some(b)) = (&mut self.ends, &other.ends) {
             a.merge(b);
         }
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {

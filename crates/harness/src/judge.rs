@@ -3,9 +3,9 @@
 use crate::collect::Collected;
 use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
+use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
 use crate::subject::{Scene, Subject, Work};
-use crate::tally::{CellTally, PowerSums};
+use crate::tally::{CellTally, Extremes, PowerSums};
 use crate::test;
 use crate::verdict::Reason;
 use freepath_estimators::Medium;
@@ -121,6 +121,9 @@ impl Judged {
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);
         }
+        if let Some(ends) = &seen.counts.ends {
+            self.ends(subject, plan, cells, ends);
+        }
         if let (Scene::Grey { truth, .. }, None) = (subject.scene, &plan.own) {
             let count = in_vacuum(&plan.truth, truth, cells);
             self.fact("vacuum", count, Reason::OutOfSupport, "collisions lie where mu is 0");
@@ -160,6 +163,17 @@ impl Judged {
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));
+    }
+
+    /// Berk-Jones, which needs the laws between the edges as well; not for an own law with atoms.
+    fn ends(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, ends: &Extremes) {
+        let Some(survivals) = Survivals::of(subject) else { return };
+        let of = |law, survival, reason| test::berk_jones((law, survival), cells, ends, subject.bits, reason);
+        if let (Some(own), Some(survival), true) = (&plan.own, &survivals.own, plan.continuous) {
+            let evidence = of(own, survival, Reason::WrongLaw);
+            self.evidence.push(Evidence { name: format!("own_{}", evidence.name), ..evidence });
+        }
+        self.evidence.push(of(&plan.truth, &survivals.truth, plan.reason));
     }
 
     fn mean(&mut self, plan: &MeanPlan, sums: &PowerSums) {

@@ -7,6 +7,7 @@
 
 mod alternating;
 mod anderson_darling;
+mod berk_jones;
 mod beta_binomial;
 mod binomial;
 mod chi_square;
@@ -25,6 +26,7 @@ mod saddle_point;
 mod student_t;
 
 pub use anderson_darling::anderson_darling_sf;
+pub use berk_jones::{berk_jones_bound, berk_jones_sf, likelihood_ratio};
 pub use beta_binomial::ln_beta_binomial_ratio;
 pub use binomial::{binomial_cdf, binomial_sf, binomial_two_sided};
 pub use chi_square::chi_square_sf;

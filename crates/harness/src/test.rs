@@ -4,6 +4,7 @@ use crate::{identities, scripted};
 
 mod anderson_darling;
 mod atom;
+mod berk_jones;
 mod chi_square;
 mod coleman;
 mod cramer_von_mises;
@@ -22,6 +23,7 @@ mod ties;
 pub use anderson_darling::anderson_darling;
 pub use atom::atom;
 pub(crate) use atom::nearest;
+pub use berk_jones::{BerkJones, berk_jones};
 pub use chi_square::{chi_square, least_expected, residuals};
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
@@ -68,6 +70,7 @@ pub const NAMES: &[(&str, &str)] = &[
     ("anderson_darling", anderson_darling::WORDS),
     ("cramer_von_mises", cramer_von_mises::WORDS),
     ("kuiper", kuiper::WORDS),
+    ("berk_jones", berk_jones::WORDS),
     ("coleman", coleman::WORDS),
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),
