@@ -1,7 +1,7 @@
 //! A subject ready to run: what is under test, in which medium, under which faults.
 
 use crate::case::{BiasBound, Claim};
-use crate::fault::{Fault, needs_scalar};
+use crate::fault::Fault;
 use crate::samples::{SampleKind, SampleSource};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::UNIFORM_BITS;
@@ -126,7 +126,7 @@ impl<'a> Subject<'a> {
     /// Whether the scalar method is driven: by choice, or since a fault asks for it.
     #[must_use]
     pub fn one_by_one(&self) -> bool {
-        self.route == Route::Scalar || needs_scalar(self.faults)
+        self.route == Route::Scalar || Fault::need_scalar(self.faults)
     }
 
     /// Whole blocks that hold `draws` draws.

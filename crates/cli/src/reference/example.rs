@@ -73,6 +73,8 @@ fn by_name(name: &str) -> Option<Value> {
         "origin" => json!([-1.0, 1.25, 0.75]),
         "direction" => json!([1.0, 0.25, 0.125]),
         "factor" => json!(0.8),
+        "times" => json!(2.0),
+        "along" => json!(-1.0),
         "channel" | "walk" => json!(0),
         "of" => json!(1000),
         "share" => json!(0.01),

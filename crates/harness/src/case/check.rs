@@ -29,8 +29,9 @@ impl CaseFile {
                 let why = format!("there are two subjects named \"{name}\" (give one a `name` of its own)");
                 return Err(self.refuse(&at, why));
             }
-            for (j, fault) in subject.fault.iter().flat_map(|faults| faults.0.iter().enumerate()) {
-                fault.check().map_err(|why| self.refuse(&format!("{at}.fault"), format!("fault {j}: {why}")))?;
+            for fault in subject.fault.iter().flat_map(|faults| &faults.0) {
+                let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
+                fault.check().map_err(refused)?;
             }
             self.check_innocent(&at, subject)?;
         }
