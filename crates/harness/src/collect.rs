@@ -5,7 +5,9 @@ use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
 use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject, Work};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, Tail, TieTally};
+use crate::tally::{
+    Batch, Batches, CellTally, CountTally, Extremes, LagTally, PowerSums, Running, Tail, TieTally,
+};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
@@ -26,6 +28,8 @@ const FIRST_BLOCKS: u64 = 4;
 pub struct Counts {
     /// Free paths by cell.
     pub cells: Option<CellTally>,
+    /// The free paths nearest to either end.
+    pub ends: Option<Box<Extremes>>,
     /// Tentative collisions.
     pub collisions: Option<CountTally>,
     /// Neighbouring draws.
@@ -53,6 +57,8 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
+    /// Variance and cost of the column `weight` by groups of blocks.
+    pub batches: Batches,
     /// What the bets of the plan gained.
     pub capitals: Capitals,
     /// Of the weights of each chromatic claim.
@@ -78,6 +84,8 @@ struct BlockSums {
     block: u64,
     rows: u64,
     mean: Option<PowerSums>,
+    /// None of draws that come from a file.
+    lookups: u64,
     capitals: Capitals,
     channels: Vec<PowerSums>,
     seconds: f64,
@@ -96,11 +104,12 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
+        let ends = plan.law.as_ref().map(|law| Box::new(Extremes::new(law.truth.length())));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
         let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
-        let counts = Counts { cells, collisions, tails, ..Counts::default() };
-        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
+        let counts = Counts { cells, ends, collisions, tails, ..Counts::default() };
+        Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
     /// One block; `first` says whether it is among the first of its range.
@@ -109,7 +118,7 @@ impl Worker {
         let record = sample_block(subject, key, row, &mut self.draws)?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        Ok(self.tally(plan, key.block, first, record.seconds))
+        Ok(BlockSums { lookups: record.audit.lookups, ..self.tally(plan, key.block, first, record.seconds) })
     }
 
     /// Folds the draws of `block`, which took so many seconds.
@@ -122,13 +131,16 @@ impl Worker {
         }
         let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
         let rows = self.draws.rows as u64;
-        BlockSums { block, rows, mean, capitals, channels: self.channels(plan), seconds, early }
+        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
         let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
+            if let Some(ends) = &mut counts.ends {
+                ends.observe(&draws.t);
+            }
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
             }
@@ -180,6 +192,9 @@ impl Counts {
         if let (Some(a), Some(b)) = (&mut self.cells, &other.cells) {
             a.merge(b);
         }
+        if let (Some(a), Some(b)) = (&mut self.ends, &other.ends) {
+            a.merge(b);
+        }
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
             a.merge(b);
         }
@@ -204,6 +219,7 @@ impl Collected {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            batches: Batches::default(),
             capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
@@ -217,6 +233,8 @@ impl Collected {
         if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
             a.merge(b);
             self.running.note(a);
+            let (n, [sum, squares, ..], lookups) = (b.n as f64, b.sums, block.lookups as f64);
+            self.batches.observe(Batch { n, sum, squares, lookups });
         }
         self.capitals.merge(&block.capitals);
         for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
@@ -226,7 +244,7 @@ impl Collected {
         self.seconds += block.seconds;
     }
 
-    /// Takes in later draws; the running mean stays as it is.
+    /// Takes in later draws; the running mean and the batches stay as they are.
     pub fn merge(&mut self, next: Self) {
         if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
             a.merge(b);
@@ -324,7 +342,7 @@ pub fn collect(
         for block in wave {
             collected.fold(&block.map_err(Stopped::Subject)?);
         }
-        (watch.progress)((end - start) * BLOCK as u64);
+        (watch.progress)((end - start) * subject.rows as u64);
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();

@@ -1,11 +1,11 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
 use crate::collect::Collected;
-use crate::evidence::{Evidence, Fact};
+use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan};
-use crate::subject::{BLOCK, Scene, Subject};
-use crate::tally::{CellTally, PowerSums};
+use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
+use crate::subject::{Scene, Subject, Work};
+use crate::tally::{CellTally, Extremes, PowerSums};
 use crate::test;
 use crate::verdict::Reason;
 use freepath_estimators::Medium;
@@ -26,6 +26,7 @@ pub struct Judged {
 pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
     let mut judged = Judged::default();
     judged.audit(plan, seen);
+    judged.few(subject, seen);
     if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
         judged.law(subject, law, cells, seen);
     }
@@ -44,7 +45,7 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
         judged.evidence.push(test::poisson_count(counts, mean, subject.tolerance));
     }
     if let Some(expected) = plan.lookups {
-        judged.evidence.push(test::lookups(&seen.counts.lookups, BLOCK, expected, subject.tolerance));
+        judged.evidence.push(test::lookups(&seen.counts.lookups, subject.rows, expected, subject.tolerance));
     }
     judged
 }
@@ -62,8 +63,16 @@ fn in_vacuum(law: &Law, truth: &dyn Medium, cells: &CellTally) -> u64 {
 /// The density that a sampler returns is one: an identity without noise.
 fn pdf_integral(integral: f64) -> Evidence {
     let same = (integral - 1.0).abs() <= 1e-9;
-    Evidence::new("pdf_integral", integral - 1.0, None, f64::from(u8::from(same)), Reason::WrongLaw)
+    let p = f64::from(u8::from(same));
+    Evidence::new("pdf_integral", integral - 1.0, None, p, Reason::WrongLaw).under(Null::Conservative)
 }
+
+/// Fewest rows of samples in stage 1 that can give a pass.
+const FEWEST_ROWS: u64 = 1000;
+
+/// Why samples tie, as often as not.
+const FEW_DIGITS: &str =
+    "numbers printed with few digits repeat: print 17, or state `resolution_bits` and `tolerance`";
 
 impl Judged {
     /// What is said of a subject that did not finish its draws.
@@ -75,6 +84,14 @@ impl Judged {
     fn fact(&mut self, check: &'static str, count: u64, reason: Reason, what: &str) {
         if count > 0 {
             self.facts.push(Fact::new(check, reason, format!("{count} {what}")));
+        }
+    }
+
+    /// Files may hold a handful of draws, which contradict nothing.
+    fn few(&mut self, subject: &Subject, seen: &Collected) {
+        if matches!(subject.work, Work::Samples(..)) && seen.draws < FEWEST_ROWS {
+            let why = format!("{} draws in stage 1 (at least {FEWEST_ROWS} for a pass)", seen.draws);
+            self.gates.push((Reason::NotEnoughDraws, why));
         }
     }
 
@@ -104,6 +121,9 @@ impl Judged {
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);
         }
+        if let Some(ends) = &seen.counts.ends {
+            self.ends(subject, plan, cells, ends);
+        }
         if let (Scene::Grey { truth, .. }, None) = (subject.scene, &plan.own) {
             let count = in_vacuum(&plan.truth, truth, cells);
             self.fact("vacuum", count, Reason::OutOfSupport, "collisions lie where mu is 0");
@@ -118,7 +138,9 @@ impl Judged {
             self.evidence.push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
         }
         if let Some(pair) = plan.pair {
-            self.evidence.push(test::ties(&seen.counts.ties, cells.collided(), pair));
+            let ties = test::ties(&seen.counts.ties, cells.collided(), pair);
+            let samples = matches!(subject.work, Work::Samples(..)) && ties.statistic > 0.0;
+            self.evidence.push(if samples { ties.noted(FEW_DIGITS) } else { ties });
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
@@ -141,6 +163,17 @@ impl Judged {
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));
+    }
+
+    /// Berk-Jones, which needs the laws between the edges as well; not for an own law with atoms.
+    fn ends(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, ends: &Extremes) {
+        let Some(survivals) = Survivals::of(subject) else { return };
+        let of = |law, survival, reason| test::berk_jones((law, survival), cells, ends, subject.bits, reason);
+        if let (Some(own), Some(survival), true) = (&plan.own, &survivals.own, plan.continuous) {
+            let evidence = of(own, survival, Reason::WrongLaw);
+            self.evidence.push(Evidence { name: format!("own_{}", evidence.name), ..evidence });
+        }
+        self.evidence.push(of(&plan.truth, &survivals.truth, plan.reason));
     }
 
     fn mean(&mut self, plan: &MeanPlan, sums: &PowerSums) {

@@ -19,6 +19,7 @@ mod transmittance;
 pub use chromatic::{ChannelClaim, ChannelsPlan, Event};
 pub use design::Design;
 pub use free_path::LawPlan;
+pub(crate) use free_path::Survivals;
 pub use transmittance::MeanPlan;
 
 /// What is claimed of a subject's draws, and so what is tallied of them.

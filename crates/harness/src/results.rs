@@ -8,11 +8,15 @@ mod grown;
 mod law;
 mod mean;
 mod medium;
+mod power;
+mod ranking;
 
 pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
+pub use power::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
+pub use ranking::{Ranked, RankedPair, Ranking, Refused};
 
 /// The version of this format. Fields are added, never renamed.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -43,6 +47,9 @@ pub struct Results {
     pub media: Vec<MediumResult>,
     /// One for each subject, case and ray.
     pub results: Vec<SubjectResult>,
+    /// The transmittance estimators of each medium by efficiency.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub rankings: Vec<Ranking>,
 }
 
 /// What was found of one subject in one medium.

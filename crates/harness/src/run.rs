@@ -13,6 +13,7 @@ use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
+mod efficiency;
 mod expect;
 mod grow;
 mod media;
@@ -57,13 +58,13 @@ pub struct Outcome {
 pub struct Cancelled;
 
 /// One subject on its way through the stages.
-struct Trial<'a> {
+pub(crate) struct Trial<'a> {
     case: &'a Prepared,
-    prepared: &'a PreparedSubject,
+    pub(crate) prepared: &'a PreparedSubject,
     subject: Subject<'a>,
-    plan: Plan,
-    first: Stage1,
-    second: Option<(Judged, u64)>,
+    pub(crate) plan: Plan,
+    pub(crate) first: Stage1,
+    pub(crate) second: Option<(Judged, u64)>,
     seconds: f64,
 }
 
@@ -76,8 +77,8 @@ impl Trial<'_> {
 }
 
 /// What stage 1 gave.
-struct Stage1 {
-    judged: Judged,
+pub(crate) struct Stage1 {
+    pub(crate) judged: Judged,
     collected: Option<Collected>,
     grown: Option<Grown>,
 }
@@ -91,14 +92,13 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     plan_stage_one(cases, options);
     for case in cases {
         for prepared in &case.subjects {
-            trials.push(stage_one(case, prepared, options)?);
+            let subject = prepared.runnable(&case.world, &case.case);
+            trials.push(stage_one(case, prepared, subject, options)?);
         }
     }
     let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
-        let draws = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
-        let draws = draws.unwrap_or(2 * whole(trial.subject.draws));
-        (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+        plan_stage_two(trial, options);
     }
     for trial in &mut suspects {
         stage_two(trial, options)?;
@@ -116,17 +116,46 @@ fn plan_stage_one(cases: &[Prepared], options: &Options) {
     }
 }
 
+fn plan_stage_two(trial: &Trial, options: &Options) {
+    let file = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+    let draws = file.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
+    (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+}
+
+/// One subject through stage 1 and, if it goes on, stage 2: as in a run, but for the decision, which is not made. With other
+/// draws than the case's if `draws` says so: below a block, each block is cut short.
+pub(crate) fn tried<'a>(
+    case: &'a Prepared,
+    prepared: &'a PreparedSubject,
+    draws: Option<u64>,
+    options: &Options,
+) -> Result<Trial<'a>, Cancelled> {
+    let mut subject = prepared.runnable(&case.world, &case.case);
+    subject.draws = draws.unwrap_or(subject.draws);
+    if draws.is_some_and(|draws| draws < BLOCK as u64) {
+        subject.rows = subject.draws as usize;
+    }
+    let planned = Subject::blocks(subject.draws) * subject.rows as u64;
+    (options.progress)(Progress::Planned(planned), &prepared.name);
+    let mut trial = stage_one(case, prepared, subject, options)?;
+    if trial.goes_on() {
+        plan_stage_two(&trial, options);
+        stage_two(&mut trial, options)?;
+    }
+    Ok(trial)
+}
+
 /// Draws in whole blocks.
-fn whole(draws: u64) -> u64 {
+pub(crate) fn whole(draws: u64) -> u64 {
     Subject::blocks(draws) * BLOCK as u64
 }
 
 fn stage_one<'a>(
     case: &'a Prepared,
     prepared: &'a PreparedSubject,
+    subject: Subject<'a>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let subject = prepared.runnable(&case.world, &case.case);
     let mut plan = Plan::of(&subject);
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
@@ -183,7 +212,8 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
-        draws = growth.confirm(subject, plan, collected, 2 * grown.draws, &mut judged)?;
+        let most = if subject.work.finished() { 0 } else { 2 * grown.draws };
+        draws = growth.confirm(subject, plan, collected, most, &mut judged)?;
     }
     *second = Some((judged, draws));
     Ok(())
@@ -207,6 +237,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         draws: result.draws,
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
+    let rankings = efficiency::rankings(trials, &results);
     let results = Results {
         schema_version: SCHEMA_VERSION,
         version: env!("CARGO_PKG_VERSION").into(),
@@ -218,6 +249,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         repro: options.repro.clone(),
         media: cases.iter().map(medium_result).collect(),
         results,
+        rankings,
     };
     Outcome { results, timings }
 }

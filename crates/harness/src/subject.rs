@@ -76,6 +76,8 @@ pub struct Subject<'a> {
     pub key: u64,
     /// Draws of stage 1.
     pub draws: u64,
+    /// Draws of each block: [`BLOCK`], or fewer where a single block is more than is asked for.
+    pub rows: usize,
     /// Draws at which growth ends.
     pub budget: u64,
     /// What growth aims at.
@@ -103,6 +105,7 @@ impl<'a> Subject<'a> {
             scene,
             key: 0,
             draws: DRAWS,
+            rows: BLOCK,
             budget: 64 * DRAWS,
             bias_bound: None,
             tolerance: 0.0,

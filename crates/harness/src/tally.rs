@@ -1,5 +1,6 @@
 //! Folds over blocks: integers merge in any order, floats in block order.
 
+mod batches;
 mod cells;
 mod counts;
 mod extremes;
@@ -9,6 +10,7 @@ mod sums;
 mod tail;
 mod ties;
 
+pub use batches::{Batch, Batches};
 pub use cells::CellTally;
 pub use counts::CountTally;
 pub use extremes::{Extremes, KEPT};

@@ -4,10 +4,12 @@ use crate::{identities, scripted};
 
 mod anderson_darling;
 mod atom;
+mod berk_jones;
 mod chi_square;
 mod coleman;
 mod cramer_von_mises;
 mod doubt;
+mod family;
 mod grouped;
 mod kolmogorov;
 mod kuiper;
@@ -21,10 +23,12 @@ mod ties;
 pub use anderson_darling::anderson_darling;
 pub use atom::atom;
 pub(crate) use atom::nearest;
-pub use chi_square::{chi_square, residuals};
+pub use berk_jones::{BerkJones, berk_jones};
+pub use chi_square::{chi_square, least_expected, residuals};
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
 pub use doubt::doubt;
+pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
 pub use kuiper::kuiper;
@@ -66,6 +70,7 @@ pub const NAMES: &[(&str, &str)] = &[
     ("anderson_darling", anderson_darling::WORDS),
     ("cramer_von_mises", cramer_von_mises::WORDS),
     ("kuiper", kuiper::WORDS),
+    ("berk_jones", berk_jones::WORDS),
     ("coleman", coleman::WORDS),
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),
@@ -81,5 +86,4 @@ pub const NAMES: &[(&str, &str)] = &[
         "pdf_integral",
         "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",
     ),
-    ("bound", "A fact, not a p-value: one look-up above the majorant fails a subject that relies on the bound."),
 ];

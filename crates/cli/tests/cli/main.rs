@@ -3,6 +3,8 @@
 mod input;
 mod medium;
 mod output;
+mod power;
 mod reference;
+mod samples;
 mod signals;
 mod support;

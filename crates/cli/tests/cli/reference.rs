@@ -30,6 +30,21 @@ fn every_name_is_listed_with_a_sentence_and_described() {
 }
 
 #[test]
+fn a_test_is_described_in_short_under_each_of_its_names() {
+    let folder = folder("short_forms");
+    for name in ["mean", "scatter_0_bin_3", "surface_1"] {
+        let (code, out, _) = run(&folder, &["describe", name]);
+        assert!(
+            code == 0 && out.starts_with("mean (test)") && out.contains("Gate:") && out.contains("Source:"),
+            "{out}"
+        );
+    }
+    assert!(run(&folder, &["describe", "own_atom"]).1.contains("X ~ Bin(n, T)"));
+    assert!(run(&folder, &["describe", "audit"]).1.contains("bound_violated"));
+    assert!(run(&folder, &["describe", "heavy_tail"]).1.contains("Causes:"));
+}
+
+#[test]
 fn a_misspelt_name_gets_a_suggestion() {
     let (code, out, err) = run(&folder("misspelt"), &["describe", "delta_trakcing"]);
     assert_eq!((code, out.as_str()), (2, ""));
@@ -51,12 +66,20 @@ fn every_example_can_be_run() {
     let folder = folder("examples");
     for (i, entry) in listed(&folder).iter().enumerate() {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
-        // A test has no place in a case, a fault fits some subjects only, and there is no file to read.
-        if ["test", "check", "fault"].contains(&kind) || ["voxel_grid", "samples"].contains(&name) {
+        // A test and a check have no place in a case, a fault fits some subjects only, and there is no volume to read.
+        if ["test", "check", "fault"].contains(&kind) || name == "voxel_grid" {
+            continue;
+        }
+        if (kind, name) == ("chromatic", "samples") {
+            let mut case = case(kind, &example(&folder, kind, name));
+            case["subjects"][0]["chromatic"]["samples"]["file"] = json!("table.csv");
+            put(&folder, "cases/table.csv", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n");
+            put(&folder, &format!("cases/{i}.json"), &case.to_string());
             continue;
         }
         put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
+    put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
 }

@@ -37,6 +37,7 @@ pub struct FreePathSamples {
     pub weight: Option<String>,
     /// What an escape is.
     #[serde(skip_serializing_if = "by_default", default)]
+    #[schemars(extend("default" = "infinity"))]
     pub escape: Escape,
     /// How it is written (default: as the ending of its name tells).
     #[serde(skip_serializing_if = "Option::is_none", default)]

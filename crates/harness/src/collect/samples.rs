@@ -90,5 +90,6 @@ pub(super) fn collect(
         }
     }
     collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
     Ok(collected)
 }

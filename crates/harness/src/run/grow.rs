@@ -4,7 +4,7 @@
 //! number of draws, p = 1 / max e, and enters Holm's procedure of stage 1 beside all others. If it is at most the stage's
 //! error, stage 2 grows fresh draws, up to twice as many, and their p-value enters Holm's procedure of stage 2. So growth
 //! spends no error of its own: a failure needs both stages at 1e-3, and a run's false alarms stay at 1e-6. The other tests
-//! are read once, at the case's draws. A bound is stated at the reporting level; the level of a mean of known range is split
+//! are read once, at the case's draws. A finished file has no more draws: it is looked at once in each stage. A bound is stated at the reporting level; the level of a mean of known range is split
 //! between its bets and its interval.
 
 use super::Cancelled;
@@ -39,12 +39,6 @@ pub(super) struct Growth<'a> {
     pub(super) planned: &'a dyn Fn(u64),
 }
 
-/// How growing went on.
-enum Next {
-    Draws(Collected),
-    Broken,
-}
-
 impl Growth<'_> {
     /// Grows the draws of stage 1 if the case asks for a bound: what was reached, with evidence, facts and gates in `judged`.
     pub(super) fn towards_bound(
@@ -61,13 +55,13 @@ impl Growth<'_> {
             let outcome = match () {
                 () if rejected_already(judged) || !(look.p > REJECTED) => GrownOutcome::Rejected,
                 () if look.bound <= question.target() => GrownOutcome::Proven,
-                () if 2 * seen.draws > subject.budget => GrownOutcome::BudgetEnded,
+                () if 2 * seen.draws > subject.budget || subject.work.finished() => GrownOutcome::BudgetEnded,
                 () => {
                     let blocks = Subject::blocks(seen.draws);
                     question.bet(plan, &seen);
                     match self.more(subject, plan, at..at + blocks, judged)? {
-                        Next::Draws(more) => seen.merge(more),
-                        Next::Broken => return Ok(None),
+                        Some(more) => seen.merge(more),
+                        None => return Ok(None),
                     }
                     at += blocks;
                     continue;
@@ -90,7 +84,8 @@ impl Growth<'_> {
         let Some(mut question) = Question::of(subject, plan) else { return Ok(seen.draws) };
         loop {
             let look = question.look(plan, &seen);
-            let left = Subject::blocks(most.saturating_sub(seen.draws));
+            let fresh = if subject.work.finished() { 0 } else { most.saturating_sub(seen.draws) };
+            let left = Subject::blocks(fresh);
             if !(look.p > REJECTED) || left == 0 {
                 judged.evidence.push(look.evidence(&question, seen.draws));
                 return Ok(seen.draws);
@@ -99,31 +94,31 @@ impl Growth<'_> {
             let blocks = if left < double { left } else { double };
             question.bet(plan, &seen);
             match self.more(subject, plan, at..at + blocks, judged)? {
-                Next::Draws(more) => seen.merge(more),
-                Next::Broken => return Ok(seen.draws),
+                Some(more) => seen.merge(more),
+                None => return Ok(seen.draws),
             }
             at += blocks;
         }
     }
 
-    /// The draws of more blocks. A fact in them counts as any other.
+    /// The draws of more blocks; none if the subject does not finish them. A fact in them counts as any other.
     fn more(
         &self,
         subject: &Subject,
         plan: &Plan,
         blocks: std::ops::Range<u64>,
         judged: &mut Judged,
-    ) -> Result<Next, Cancelled> {
+    ) -> Result<Option<Collected>, Cancelled> {
         (self.planned)((blocks.end - blocks.start) * BLOCK as u64);
         match collect(subject, plan, self.seed, blocks, self.watch) {
             Ok(more) => {
                 judged.facts.extend(judge(subject, plan, &more).facts);
-                Ok(Next::Draws(more))
+                Ok(Some(more))
             }
             Err(Stopped::Cancelled) => Err(Cancelled),
             Err(Stopped::Subject(why)) => {
                 judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
-                Ok(Next::Broken)
+                Ok(None)
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The result of one subject.
 
+use super::efficiency::efficiency;
 use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
@@ -9,12 +10,11 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
 use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
-use crate::subject::Work;
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, larger, mean};
 use crate::verdict::Reason;
@@ -30,15 +30,12 @@ pub(super) fn result(
     let Trial { case, prepared, plan, .. } = trial;
     let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
-    let id = id(case, prepared);
-    let rejections = [Some(first), second].into_iter().flatten().flat_map(|stage| tests((1, stage)));
-    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
-    let grown = trial.first.grown.clone().map(|grown| settled(grown, rejections));
+    let grown = grown(trial, first, second);
     let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
-        repro: repro(case, &id, options),
-        id,
+        repro: repro(case, &id(case, prepared), options),
+        id: id(case, prepared),
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
@@ -62,19 +59,31 @@ pub(super) fn result(
         mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
         law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
+        tests: stages(first, second).flat_map(tests).collect(),
+        facts: stages(first, second).flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
-        efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
+        efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
 }
 
-fn expectation(Trial { prepared, plan, .. }: &Trial, decision: &Decision) -> (String, bool, bool) {
+fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+    let Trial { prepared, plan, .. } = trial;
     expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
+}
+
+/// How growth ended, after the decision.
+fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
+    let rejections = stages(first, second).flat_map(tests);
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    trial.first.grown.clone().map(|grown| settled(grown, rejections))
+}
+
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// The series of a law.
@@ -234,35 +243,6 @@ fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawRe
             high: Real(high),
         },
         grown: grown.cloned(),
-    }
-}
-
-/// Relative variance with a 95 % interval from the kurtosis: var(ln V) = (kurtosis - 1) / n.
-fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
-    let (n, t) = (sums.n as f64, plan.truth.expected);
-    let bias = plan.design_bias();
-    let variance = (sums.variance() + bias * bias) / (t * t);
-    let spread = ((sums.kurtosis() - 1.0) / n).sqrt();
-    // draws that are all 0 because none has hit are not exact
-    let exact = plan.own.is_none() && sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
-    let refusal = match () {
-        () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
-        () if exact => "zero variance: exact",
-        () if matches!(trial.subject.work, Work::Samples(..)) => "samples: look-ups are not known",
-        () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
-            "dominated by rare events"
-        }
-        () if !(spread <= 0.1) => "the fourth moment is too large for an interval",
-        () => "",
-    };
-    let factor = libm::exp(1.96 * spread);
-    Efficiency {
-        relative_variance: Real(variance),
-        low: Real(variance / factor),
-        high: Real(variance * factor),
-        exact,
-        ranked: refusal.is_empty(),
-        refusal: refusal.into(),
     }
 }
 

@@ -1,8 +1,8 @@
-use super::atom::{nearest, standardised};
+use super::atom::{binomial_null, nearest, standardised};
 use super::chi_square::lessened;
 use super::doubt::{doubt, withheld};
 use super::kolmogorov::larger;
-use crate::evidence::{Evidence, POWER, REPORTING_LEVEL};
+use crate::evidence::{Evidence, Null, POWER, REPORTING_LEVEL};
 use crate::special::{
     binomial_two_sided, clopper_pearson, normal_quantile, normal_two_sided, student_t_two_sided,
 };
@@ -89,20 +89,23 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     let method = method(sums, claim);
     let excess = excess(sums, claim);
     let (n, error) = (sums.n as f64, (sums.variance() / sums.n as f64).sqrt());
-    let t = standardised(excess, error);
+    let (t, null) = (standardised(excess, error), Null::lessened(slack(claim), error));
     let evidence = |statistic, dof, p| Evidence::new(name, statistic, dof, p, reason);
     let evidence = match method {
         Method::Binomial => {
             let null = nearest(sums.ones as f64 / n, claim.expected, claim.slack);
-            evidence(bias(sums, claim), None, binomial_two_sided(sums.n, null, sums.ones))
+            let p = binomial_two_sided(sums.n, null, sums.ones);
+            evidence(bias(sums, claim), None, p).under(binomial_null(sums.n, claim.expected, sums.ones))
         }
         Method::Exact => {
             let same = excess.abs() <= 0.0;
-            evidence(excess, None, f64::from(u8::from(same)))
+            evidence(excess, None, f64::from(u8::from(same))).under(Null::Conservative)
         }
-        Method::StudentT => evidence(t, Some(n - 1.0), student_t_two_sided(n - 1.0, t)),
-        Method::SkewnessCorrected => evidence(t, None, corrected_p(t, sums.skewness(), n)),
-        Method::EmpiricalBernstein => evidence(excess, None, bernstein_p(sums, claim, excess)),
+        Method::StudentT => evidence(t, Some(n - 1.0), student_t_two_sided(n - 1.0, t)).under(null),
+        Method::SkewnessCorrected => evidence(t, None, corrected_p(t, sums.skewness(), n)).under(null),
+        Method::EmpiricalBernstein => {
+            evidence(excess, None, bernstein_p(sums, claim, excess)).under(Null::Conservative)
+        }
         Method::None => {
             let why = withheld(sums, claim, skewness(sums, claim)).1;
             Evidence::withheld(name, t, reason, why)
@@ -136,8 +139,12 @@ fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
 
 /// The bias, brought towards 0 by the slack and by rounding.
 fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
-    let bias = bias(sums, claim);
-    lessened(bias, claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE)
+    lessened(bias(sums, claim), slack(claim))
+}
+
+/// What the claim and rounding leave open.
+fn slack(claim: &MeanClaim) -> f64 {
+    claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE
 }
 
 /// The larger of the sample's and the formula's skewness: a sample that has not seen its tail looks too tame.

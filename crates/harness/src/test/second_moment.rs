@@ -1,7 +1,7 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
 use super::mean::gate;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use crate::verdict::Reason;
@@ -26,12 +26,14 @@ pub fn second_moment(name: &str, sums: &PowerSums, moments: [f64; 3], slack: f64
     let [m2, m4, m6] = moments;
     let (n, c) = (sums.n as f64, sums.center);
     let mean_square = c * c + 2.0 * c * sums.sums[0] / n + sums.sums[1] / n;
-    let excess = lessened(mean_square - m2, FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack);
+    let slack = FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack;
+    let excess = lessened(mean_square - m2, slack);
     let (variance, lost) = (m4 - m2 * m2, 1e-9 * m4);
     let known = !(variance <= lost);
     let third = m6 - 3.0 * m4 * m2 + 2.0 * m2 * m2 * m2;
     let skewness = if known { third / (variance * variance.sqrt()) } else { 0.0 };
-    let z = standardised(excess, ((if known { variance } else { lost }) / n).sqrt());
+    let error = ((if known { variance } else { lost }) / n).sqrt();
+    let z = standardised(excess, error);
     let unusable = (m2 > 0.0 && !(m4 > 1e-180)) || !m6.is_finite();
     if unusable || !gate(skewness, n).1 {
         let why = format!(
@@ -40,7 +42,8 @@ pub fn second_moment(name: &str, sums: &PowerSums, moments: [f64; 3], slack: f64
         return Evidence::withheld(name, z, Reason::WrongVariance, why);
     }
     let p = pearson_two_sided(skewness / n.sqrt(), z);
-    Evidence::new(name, z, None, p, Reason::WrongVariance)
+    let null = if known { Null::lessened(slack, error) } else { Null::Conservative };
+    Evidence::new(name, z, None, p, Reason::WrongVariance).under(null)
 }
 
 #[cfg(test)]
