@@ -12,6 +12,7 @@ pub const NULLS: &[(&str, &[&str])] = &[
     ("anderson_darling", &["uniform"]),
     ("cramer_von_mises", &["uniform"]),
     ("kuiper", &["uniform"]),
+    ("berk_jones", &["conservative"]),
     ("coleman", &["uniform"]),
     ("poisson_count", &["uniform"]),
     ("ties", &["conservative"]),
