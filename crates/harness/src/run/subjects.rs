@@ -7,7 +7,7 @@ use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
+use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan, Plan};
 use crate::real::Real;
 use crate::results::{
     Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
@@ -31,8 +31,7 @@ pub(super) fn result(
     let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
     let grown = grown(trial, first, second);
-    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
-    let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    let (mean, cells) = collected(plan, seen);
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -68,6 +67,16 @@ pub(super) fn result(
         efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
+}
+
+/// What was collected of the mean and of the law, each with its claim.
+#[expect(clippy::type_complexity, reason = "two pairs, taken apart at once")]
+fn collected<'a>(
+    plan: &'a Plan,
+    seen: Option<&'a Collected>,
+) -> (Option<(&'a MeanPlan, PowerSums)>, Option<(&'a LawPlan, &'a CellTally)>) {
+    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
+    (mean, plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref())))
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
