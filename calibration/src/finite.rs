@@ -31,7 +31,7 @@ pub struct Leaning {
 impl Finite {
     /// Mass in proportion to `weight` at each of `points`.
     #[must_use]
-    pub fn new(points: Vec<f64>, weight: impl Fn(f64) -> f64) -> Self {
+    pub fn new(points: Vec<f64>, mut weight: impl FnMut(f64) -> f64) -> Self {
         let weights: Vec<f64> = points.iter().map(|&x| weight(x)).collect();
         let total: f64 = weights.iter().sum();
         Self { points, mass: weights.iter().map(|w| w / total).collect() }

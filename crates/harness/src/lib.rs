@@ -24,13 +24,14 @@
 //! # Ok::<(), freepath_estimators::ParameterError>(())
 //! ```
 //!
-//! Cases are read by [`case::CaseFile`] and run by [`run::run`].
+//! Cases are read by [`case::CaseFile`] and run by [`run::run`]; [`power::power`] finds how many draws a fault needs to be seen.
 
 pub mod assert;
 pub mod audit;
 pub mod case;
 pub mod collect;
 pub mod decide;
+pub mod describe;
 pub mod diagnose;
 pub mod evidence;
 pub mod fault;
@@ -39,6 +40,7 @@ pub mod judge;
 pub mod law;
 pub mod noiseless;
 pub mod plan;
+pub mod power;
 pub mod ranking;
 pub mod real;
 pub mod results;

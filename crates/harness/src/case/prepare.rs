@@ -166,9 +166,13 @@ impl CaseFile {
         let (truth, seen) = match world {
             World::Grey(medium) => {
                 let truth = self.truth(&at, spec, medium)?;
+                self.check_faults(&at, spec, world, Some(&*truth))?;
                 (Some(truth.clone()), Some(self.seen(&at, (spec, work), &truth, &faults)?))
             }
-            World::Chromatic(_) => (None, None),
+            World::Chromatic(_) => {
+                self.check_faults(&at, spec, world, None)?;
+                (None, None)
+            }
         };
         self.check_fit(&at, (spec, work), world, seen.as_deref())?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
