@@ -26,6 +26,7 @@
 //!
 //! Cases are read by [`case::CaseFile`] and run by [`run::run`].
 
+pub mod agree;
 pub mod assert;
 pub mod audit;
 pub mod case;

@@ -37,6 +37,8 @@ pub struct Plan {
     pub design: Design,
     /// For step rules: the predicted order, and the bias of its own law.
     pub order: Option<(f64, f64)>,
+    /// Whether the truth is claimed: else law and mean only say what is tallied.
+    pub known: bool,
 }
 
 impl Plan {
@@ -61,6 +63,9 @@ impl Plan {
             _ => Self::nothing(),
         };
         plan.bounded &= subject.claims(Claim::Bounded);
+        if !subject.claims(Claim::Truth) {
+            plan = plan.unknown();
+        }
         if subject.one_by_one() && plan.mean.is_some() {
             plan.poisson = None; // `estimate` tells no collisions
         }
@@ -68,6 +73,13 @@ impl Plan {
             (plan.lookups, plan.poisson) = (None, None);
         }
         plan
+    }
+
+    /// The same where nobody knows the optical depth.
+    fn unknown(self) -> Self {
+        let law = self.law.map(|law| LawPlan { own: None, pair: None, coleman: false, ..law });
+        let mean = self.mean.map(|mean| MeanPlan { own: None, moments: None, ..mean });
+        Self { law, mean, bounded: self.bounded, known: false, ..Self::nothing() }
     }
 
     /// A subject in a scene that does not fit it: no claim.
@@ -81,6 +93,7 @@ impl Plan {
             bounded: false,
             design: Design::Unbiased,
             order: None,
+            known: true,
         }
     }
 

@@ -13,6 +13,9 @@ use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
+use agree::Settings;
+
+mod agree;
 mod expect;
 mod grow;
 mod media;
@@ -88,7 +91,8 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
     for trial in &suspects {
         let draws = 2 * whole(trial.subject.draws);
-        (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+        let settings = 1 + trial.prepared.variants.len() as u64;
+        (options.progress)(Progress::Planned(settings * draws), &trial.prepared.name);
     }
     for trial in &mut suspects {
         stage_two(trial, options)?;
@@ -101,7 +105,8 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        (options.progress)(Progress::Planned(whole(prepared.draws)), &prepared.name);
+        let settings = 1 + prepared.variants.len() as u64;
+        (options.progress)(Progress::Planned(settings * whole(prepared.draws)), &prepared.name);
     }
 }
 
@@ -120,7 +125,11 @@ fn stage_one<'a>(
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
-    let (first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
+    let (mut first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
+    if let Some(own) = &first.collected {
+        let settings = Settings { prepared, subject: &subject, plan: &plan, seed: options.seed };
+        settings.agree(own, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
+    }
     Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
 }
 
@@ -160,8 +169,14 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let tell = |draws| (options.progress)(Progress::Done(draws), &trial.prepared.name);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
     let blocks = Subject::blocks(trial.subject.draws);
-    let second = match collect(&trial.subject, &trial.plan, options.seed, blocks..3 * blocks, &watch) {
-        Ok(collected) => (judge(&trial.subject, &trial.plan, &collected), collected.draws),
+    let (subject, plan, seed) = (&trial.subject, &trial.plan, options.seed);
+    let second = match collect(subject, plan, seed, blocks..3 * blocks, &watch) {
+        Ok(collected) => {
+            let mut judged = judge(subject, plan, &collected);
+            let settings = Settings { prepared: trial.prepared, subject, plan, seed };
+            settings.agree(&collected, &(blocks..3 * blocks), &watch, &mut judged)?;
+            (judged, collected.draws)
+        }
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => (Judged::broken(why), 0),
     };

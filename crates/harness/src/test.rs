@@ -2,6 +2,7 @@
 
 use crate::{identities, scripted};
 
+mod agree;
 mod atom;
 mod chi_square;
 mod coleman;
@@ -13,12 +14,13 @@ mod poisson_count;
 mod second_moment;
 mod ties;
 
+pub use agree::{Sample, agree_atom, agree_law, agree_mean};
 pub use atom::atom;
 pub use chi_square::{chi_square, residuals};
 pub use coleman::coleman;
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
-pub use lag::lag;
+pub use lag::{lag, lag_observed};
 pub use lookups::{BlockLookups, lookups};
 pub(crate) use mean::bernstein_width;
 pub use mean::{Interval, MeanClaim, Method, mean};
@@ -60,6 +62,10 @@ pub const NAMES: &[(&str, &str)] = &[
     ("mean", mean::WORDS),
     ("second_moment", second_moment::WORDS),
     ("lookups", lookups::WORDS),
+    agree::WORDS[0],
+    agree::WORDS[1],
+    agree::WORDS[2],
+    agree::WORDS[3],
     (
         "pdf_integral",
         "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",

@@ -3,6 +3,7 @@
 use super::name::hash;
 use super::surroundings::{Place, Volumes};
 use super::{Case, CaseError, CaseFile, MOST_DRAWS, Subject};
+use crate::agree::Variant;
 use crate::fault::Fault;
 use crate::subject::{DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
@@ -50,6 +51,8 @@ pub struct PreparedSubject {
     pub key: u64,
     /// Draws of stage 1.
     pub draws: u64,
+    /// The other settings in which it must agree with itself.
+    pub variants: Vec<Variant>,
 }
 
 impl PreparedSubject {
@@ -157,6 +160,7 @@ impl CaseFile {
             World::Chromatic(_) => (None, None),
         };
         self.check_fit(&at, spec, world, seen.as_deref())?;
+        let variants = self.variants(i, truth.as_ref(), &faults)?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
         let asked = spec.draws.or(self.case.draws).unwrap_or(DRAWS);
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
@@ -165,7 +169,16 @@ impl CaseFile {
             return Err(self.refuse("draws", format!("{draws} draws are too many (at most {MOST_DRAWS})")));
         }
         let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        Ok(PreparedSubject { spec: spec.clone(), name, truth, seen, faults, key: hash(&canonical), draws })
+        Ok(PreparedSubject {
+            spec: spec.clone(),
+            name,
+            truth,
+            seen,
+            faults,
+            key: hash(&canonical),
+            draws,
+            variants,
+        })
     }
 }
 

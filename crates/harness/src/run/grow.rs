@@ -36,7 +36,9 @@ impl Growth<'_> {
         first: &Collected,
         judged: &mut Judged,
     ) -> Result<(), Cancelled> {
-        let (Some(bound), Some(mean), Some(sums)) = (subject.bias_bound, &plan.mean, first.mean) else {
+        let (Some(bound), Some(mean), Some(sums)) =
+            (subject.bias_bound.filter(|_| plan.known), &plan.mean, first.mean)
+        else {
             return Ok(());
         };
         let target = match bound {

@@ -25,12 +25,12 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let seen = trial.first.collected.as_ref();
+    let (seen, id) = (trial.first.collected.as_ref(), id(case, prepared));
     let (expected, by_design, as_expected) =
         expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
-    let id = id(case, prepared);
-    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
-    let cells = plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref()));
+    let known = seen.filter(|_| plan.known);
+    let mean = plan.mean.as_ref().zip(known.and_then(|seen| seen.mean));
+    let cells = plan.law.as_ref().zip(known.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
         repro: repro(case, &id, options),
         id,
