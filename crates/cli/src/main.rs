@@ -22,6 +22,7 @@ fn main() -> ExitCode {
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
+        Verb::Microscope(args) => cmd::microscope::microscope(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),
         Verb::Describe(args) => cmd::describe::describe(args),

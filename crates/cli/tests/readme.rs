@@ -39,6 +39,9 @@ fn arguments(rest: &str, folder: &str) -> Vec<String> {
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
         args.extend(["--out".into(), out.display().to_string(), "--quick".into()]);
     }
+    if args[0] == "microscope" {
+        args.extend(["--points".into(), "1024".into()]);
+    }
     args
 }
 

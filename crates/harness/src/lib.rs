@@ -38,6 +38,7 @@ pub mod fault;
 pub mod identities;
 pub mod judge;
 pub mod law;
+pub mod microscope;
 pub mod noiseless;
 pub mod plan;
 pub mod real;
