@@ -1,3 +1,7 @@
-//! What the calibration programs share: null replicates in parallel, and counts of how often a p-value is small.
+//! What the calibration programs share: true levels of p-values by importance sampling, far below what plain sampling reaches.
 //!
 //! Each program in `src/bin/` prints a table that stands in `docs/` or in the source of a test, and says how to make it again.
+
+pub mod finite;
+pub mod multinomial;
+pub mod tail;

@@ -1,8 +1,7 @@
 //! Every shipped case and control is as expected, at full effort.
 
-use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{Case, CaseFile, FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::case::{Case, CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
 use freepath_harness::fault::Fault;
 use freepath_tests::{case_paths, load, results, surprises};
 
@@ -17,7 +16,8 @@ fn every_shipped_case_is_as_expected() {
 fn every_name_is_in_a_case() {
     let text: String = case_paths("cases").iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
-    let subjects = FreePathSubject::names().iter().chain(TransmittanceSubject::names()).chain(AnyChromatic::NAMES);
+    let subjects =
+        FreePathSubject::names().iter().chain(TransmittanceSubject::names()).chain(ChromaticSubject::names());
     for name in subjects.chain(AnyMedium::NAMES).copied().chain(faults) {
         assert!(text.contains(&format!("\"{name}\"")), "no case names {name:?}");
     }

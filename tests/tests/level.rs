@@ -1,74 +1,65 @@
-//! Every test keeps its level: over many seeds its p-values are never below uniform.
+//! Every test keeps its level, and so does a run: the short form of `freepath soak`.
 
-use freepath_harness::special::binomial_sf;
-use freepath_tests::{parse, results};
-use std::collections::BTreeMap;
+use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::soak::{Options, SoakResults, quick, seed_of, soak};
+use freepath_tests::results;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
-const SEEDS: u64 = 150;
+fn soaked(cases: &[Prepared], runs: u64) -> SoakResults {
+    let never = AtomicBool::new(false);
+    let (progress, repro) = (&|_, _: &str| (), String::new());
+    let options = Options { seed: 7, runs, levels: &[1e-3, 0.05], cancelled: &never, progress, repro };
+    soak(cases, &options).unwrap_or_else(|_| panic!("nobody cancels"))
+}
 
-/// Right subjects of every kind, at four blocks each.
-const CASES: [&str; 3] = [
-    r#"{
-      "title": "level", "draws": 65536,
-      "medium": { "sinusoid": { "mean": 1.0, "amplitude": 0.9, "frequency": 2.0, "phase": 0.7, "length": 2.185 } },
-      "subjects": [
-        { "free_path": { "delta_tracking": {} } },
-        { "free_path": { "delta_tracking": { "form": "carry" } }, "majorant": { "segments": 16 } },
-        { "free_path": { "ray_marching": { "rule": "jitter", "steps": 64 } }, "expect": "pass" },
-        { "transmittance": { "delta_tracking": {} } },
-        { "transmittance": { "ratio_tracking": {} } },
-        { "transmittance": { "ratio_roulette": { "rule": "pbrt_v3" } } },
-        { "transmittance": { "residual_ratio_tracking": { "control": "mean" } } },
-        { "transmittance": { "ray_marching": { "rule": "stratified", "steps": 64 } } }
-      ] }"#,
-    r#"{
-      "title": "level of skew means", "draws": 65536,
-      "medium": { "linear": { "mu0": 0.5, "mu1": 6.0, "length": 2.2 } },
-      "subjects": [
-        { "transmittance": { "ratio_tracking": {} }, "majorant": { "factor": 1.1 } },
-        { "transmittance": { "residual_ratio_tracking": { "control": "minimum" } } }
-      ] }"#,
-    r#"{
-      "title": "level of chromatic weights", "draws": 65536,
-      "medium": { "chromatic": { "sigma_t": [0.4, 1.1, 3.0], "sigma_s": [0.3, 1.0, 1.5], "length": 1.7 } },
-      "subjects": [ { "chromatic": { "balance": {} } }, { "chromatic": { "power": {} } } ] }"#,
-];
-
-/// p-values by test, over all seeds and subjects that claim the truth.
-fn p_values() -> BTreeMap<String, Vec<f64>> {
-    let mut all: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    for text in CASES {
-        let cases = parse(text);
-        for seed in 0..SEEDS {
-            for result in results(&cases, 1000 + seed).results {
-                let biased = result.estimator == "ray_marching";
-                let first = result.tests.into_iter().filter(|test| test.stage == 1);
-                for test in first.filter(|test| !biased || test.name.starts_with("own_")) {
-                    let kept = test.name.trim_start_matches("own_").trim_end_matches(char::is_numeric).to_string();
-                    all.entry(kept).or_default().extend(test.p.map(|p| p.0));
-                }
-            }
-        }
-    }
-    all
+fn cases(draws: u64) -> Vec<Prepared> {
+    let limits = Limits { draws: Some(draws), ..Limits::default() };
+    quick(&limits).unwrap_or_else(|why| panic!("{why}"))
 }
 
 #[test]
-fn no_test_rejects_more_often_than_its_level() {
-    let all = p_values();
-    let mut faults = Vec::new();
-    for (name, p) in &all {
-        for level in [1e-3, 0.01, 0.05, 0.1, 0.25, 0.5] {
-            let below = p.iter().filter(|p| !(**p > level)).count() as u64;
-            let chance = binomial_sf(p.len() as u64, level, below);
-            if !(chance > 1e-6) {
-                faults.push(format!(
-                    "{name}: {below} of {} p-values at or below {level} (chance {chance:.1e})",
-                    p.len()
-                ));
-            }
-        }
-    }
-    assert!(all.len() >= 12, "{:?}", all.keys());
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+fn p_values_follow_their_laws_and_alarms_are_as_rare_as_designed() {
+    let found = soaked(&cases(65_536), 100);
+    let broken: Vec<_> = found.tests.iter().filter(|test| !(test.holds && test.declared)).collect();
+    assert!(found.holds, "{broken:?} {:?} {:?}", found.levels, found.facts);
+    assert!(found.tests.len() >= 12, "{:?}", found.tests.iter().map(|test| &test.test).collect::<Vec<_>>());
+    assert!(found.p_values > 12_000);
+}
+
+#[test]
+fn a_truth_that_is_not_the_medium_breaks_the_level() {
+    let mut cases = cases(65_536);
+    let other = cases[1].subjects[0].truth.clone();
+    cases.truncate(1);
+    cases[0].subjects.truncate(1);
+    assert!(soaked(&cases, 3).holds);
+    cases[0].subjects[0].truth = other;
+    let found = soaked(&cases, 3);
+    assert!(!found.holds && found.levels.iter().all(|level| level.confirmed.count == 3), "{:?}", found.levels);
+}
+
+#[test]
+fn a_soaked_run_is_the_run_of_its_seed() {
+    let cases = cases(16_384);
+    let (run, found) = (results(&cases, seed_of(7, 0)), soaked(&cases, 1));
+    let tests = run.results.iter().flat_map(|result| {
+        let own = |name: &str| result.tests.iter().any(|test| test.name == format!("own_{name}"));
+        result.tests.iter().filter(move |test| test.stage == 1 && !own(&test.name))
+    });
+    let mut p: Vec<f64> = tests.filter_map(|test| test.p).map(|p| p.0).collect();
+    assert_eq!(found.p_values, p.len() as u64);
+    p.retain(|p| *p <= 0.1);
+    let below: f64 = found.tests.iter().map(|test| test.shares[0].0 * test.p_values as f64).sum();
+    assert!((below - p.len() as f64).abs() < 1e-6, "{below} {}", p.len());
+}
+
+#[test]
+fn threads_make_no_difference() {
+    let cases = Arc::new(cases(16_384));
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
+        serde_json::to_string(&pool.install(|| soaked(&cases, 9))).expect("results are JSON")
+    };
+    assert_eq!(with(1), with(3));
 }

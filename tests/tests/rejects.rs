@@ -192,14 +192,19 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         let t = right(rng);
         path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
     });
-    let thin = law(|_, rng| path(right(rng) / 0.97));
+    let thin = || law(|_, rng| path(right(rng) / 0.97));
+    let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
         ("atom", Reason::WrongLaw, atom),
         ("chi_square_16", Reason::WrongLaw, lobe),
         ("chi_square_64", Reason::WrongLaw, narrow),
         ("chi_square_fine", Reason::WrongLaw, needle),
-        ("kolmogorov", Reason::WrongLaw, thin),
+        ("kolmogorov", Reason::WrongLaw, thin()),
+        ("anderson_darling", Reason::WrongLaw, thin()),
+        ("cramer_von_mises", Reason::WrongLaw, thin()),
+        ("kuiper", Reason::WrongLaw, thin()),
+        ("berk_jones", Reason::WrongLaw, hot),
         ("ties", Reason::Dependent, repeated),
     ]
 }
@@ -292,7 +297,7 @@ fn by_design() -> Vec<(&'static str, Reason, Judgement)> {
         claims: |truth| TransmittanceClaims { own_mean: Some(1.05 * escape()), ..of_ratio(truth) },
         ..changed(|path, _| path)
     };
-    let names = ["own_atom", "own_chi_square_16", "own_chi_square_64", "own_kolmogorov"];
+    let names = ["own_atom", "own_chi_square_16", "own_chi_square_64", "own_kolmogorov", "own_berk_jones"];
     let law = names.map(|name| (name, Reason::WrongLaw, of_path(&other, 400_000)));
     law.into_iter().chain([("own_mean", Reason::WrongLaw, of_estimate(&mean, 400_000))]).collect()
 }
@@ -304,7 +309,7 @@ fn every_test_rejects_a_mutant() {
         all.iter().filter_map(|(test, reason, judgement)| caught(test, *reason, judgement)).collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));
     let shown: BTreeSet<_> = all.iter().map(|(test, ..)| *test).collect();
-    let facts = ["bound"]; // below
+    let facts = ["bound", "growth"]; // below
     let unshown: Vec<_> = NAMES
         .iter()
         .map(|(name, _)| *name)
@@ -472,4 +477,39 @@ fn a_nan_among_the_draws_of_growth_fails() {
     );
     let results = results(&parse(&text), 1);
     assert_eq!(results.results[0].verdict, Verdict::Fail, "{:?}", results.results[0].notes);
+}
+
+/// Look-ups off by so little that no test of stage 1 sees it: growth alone rejects, in both stages.
+#[test]
+fn growth_rejects_a_mutant() {
+    let text = r#"{ "title": "growth", "draws": 65536, "bias_bound": { "relative": 2e-3 },
+      "medium": { "sinusoid": { "mean": 1.0, "amplitude": 0.9, "frequency": 2.0, "length": 2.185 } },
+      "subjects": [ { "transmittance": { "ratio_tracking": {} },
+        "fault": { "shifted_lookup": { "by": 0.015 } } } ] }"#;
+    let results = results(&parse(text), 5);
+    let result = &results.results[0];
+    let by: Vec<_> =
+        result.tests.iter().filter(|test| test.rejected).map(|test| (&*test.name, test.stage)).collect();
+    assert_eq!(by, [("growth", 1), ("growth", 2)], "{:?}", result.notes);
+    assert_eq!(result.verdict, Verdict::Fail);
+}
+
+/// Weights of unknown range and moments: what cannot be judged by the central limit theorem is not.
+#[test]
+fn heavy_and_rare_weights_are_inconclusive_and_tame_ones_pass() {
+    let unknown = |change| {
+        let claims = |_: &dyn Medium| TransmittanceClaims::default();
+        of_estimate(&Estimator { claims, ..changed(change) }, 400_000).decision
+    };
+    // (1 - k) (1 - u)^-k has mean 1 and a Pareto tail of shape k
+    let heavy = unknown(|path, u| weighing(path, 0.3 * libm::pow(1.0 - u, -0.7)));
+    let rare = unknown(|path, u| weighing(path, if u < 1e-4 { 1e4 } else { 0.0 }));
+    let tame = unknown(|path, _| path);
+    let light = unknown(|path, u| weighing(path, 0.9 * libm::pow(1.0 - u, -0.1)));
+    for (decision, reason) in [(heavy, Reason::HeavyTail), (rare, Reason::RareEvent)] {
+        assert_eq!((decision.verdict, decision.reasons[0]), (Verdict::Inconclusive, reason), "{decision:?}");
+    }
+    for decision in [tame, light] {
+        assert_eq!(decision.verdict, Verdict::Pass, "{decision:?}");
+    }
 }

@@ -40,7 +40,7 @@ fn every_name_is_in_the_schema() {
     words(&case::schema(), &mut found);
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
-    let subjects = [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::NAMES];
+    let subjects = [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::names()];
     let subjects = subjects.into_iter().flatten().copied();
     let media = AnyMedium::NAMES.iter().copied();
     for name in faults.chain(reasons).chain(subjects).chain(media) {

@@ -2,6 +2,7 @@
 
 use crate::number;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use freepath_harness::source::samples::{Escape, Format};
 use std::path::PathBuf;
 
 /// Statistical verification of free-path samplers and transmittance estimators.
@@ -24,6 +25,8 @@ const EXIT_CODES: &str = "Exit codes: 0 everything as expected, 1 something is n
 pub(crate) enum Verb {
     /// Run cases and write a report.
     Run(Run),
+    /// Judge a file of samples against the medium of a case, and write a report.
+    Check(Check),
     /// Print and plot the medium of cases: mu, majorant, tau and T.
     Medium(Medium),
     /// Bound the bias of subjects far below the noise, by scrambled Sobol points.
@@ -36,6 +39,8 @@ pub(crate) enum Verb {
     Schema,
     /// Write the report of results once more, without drawing.
     Report(Report),
+    /// Run right subjects again and again: how often do they raise a false alarm?
+    Soak(Soak),
 }
 
 /// `freepath run`.
@@ -56,24 +61,93 @@ pub(crate) struct Run {
     /// Ten times the draws.
     #[arg(long)]
     pub(crate) thorough: bool,
+    /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// Let cases name files outside their own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// Where the results of a run go, and how fast.
+#[derive(Args, Debug)]
+pub(crate) struct Output {
     /// Worker threads [default: one per CPU]; results do not depend on it.
     #[arg(long, value_name = "N", value_parser = number::jobs)]
     pub(crate) jobs: Option<usize>,
     /// The folder that the report is written to.
     #[arg(long, value_name = "DIR", default_value = "reports")]
     pub(crate) out: PathBuf,
-    /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) filter: Option<String>,
     /// Print results.json instead of a line per subject.
     #[arg(long)]
     pub(crate) json: bool,
     /// Show no progress, and only the subjects that are not as expected.
     #[arg(long)]
     pub(crate) quiet: bool,
-    /// Let cases name files outside their own folder.
+}
+
+/// `freepath check`.
+#[derive(Args, Debug)]
+pub(crate) struct Check {
+    /// A file of samples that any program has drawn: .npy, .csv, .txt or .f64; `-` is standard input.
+    #[arg(value_name = "SAMPLES", allow_hyphen_values = true)]
+    pub(crate) samples: String,
+    /// The case whose medium they were drawn in; its subjects are left out.
+    #[arg(long, value_name = "CASE")]
+    pub(crate) case: PathBuf,
+    /// What they are.
+    #[arg(long = "as", value_name = "KIND")]
+    pub(crate) kind: Kind,
+    /// The column of the draws, by name or by number from 0 [default: the only one].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) column: Option<String>,
+    /// The column of the statistical weights of free paths.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) weight: Option<String>,
+    /// Which free paths are escapes: those at infinity, or those at the length of the ray or beyond.
+    #[arg(long, value_name = "AT", value_parser = named::<Escape>, default_value = "infinity")]
+    pub(crate) escape: Escape,
+    /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
+    #[arg(long, value_name = "FORMAT", value_parser = named::<Format>)]
+    pub(crate) format: Option<Format>,
+    /// Judge so many draws, from the first on [default: all]; needed on standard input.
+    #[arg(long, value_name = "N", value_parser = number::draws)]
+    pub(crate) draws: Option<u64>,
+    /// Samples may be off by so much in every claim [default: the case's, else 6e-8 if they are float32, else 0].
+    #[arg(long, value_name = "X")]
+    pub(crate) tolerance: Option<f64>,
+    /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
+    #[arg(long, value_name = "N")]
+    pub(crate) resolution_bits: Option<u32>,
+    /// The ray that they were drawn along, from 0, if the case has several.
+    #[arg(long, value_name = "I")]
+    pub(crate) ray: Option<usize>,
+    /// Let the case name files outside its own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// What samples are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub(crate) enum Kind {
+    /// Distances to the first collision.
+    FreePath,
+    /// Estimates of the transmittance of the whole ray.
+    Transmittance,
+    /// Tables of t, event and one weight per channel.
+    Chromatic,
+}
+
+/// A value that a case would name.
+fn named<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_value(text.into()).map_err(|why| why.to_string())
 }
 
 /// `freepath medium`.
@@ -117,6 +191,47 @@ pub(crate) struct Microscope {
     /// Worker threads [default: one per CPU]; results do not depend on it.
     #[arg(long, value_name = "N", value_parser = number::jobs)]
     pub(crate) jobs: Option<usize>,
+    /// Let cases name files outside their own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+}
+
+/// `freepath soak`.
+#[derive(Args, Debug)]
+pub(crate) struct Soak {
+    /// Case files, or folders of them; of their subjects, those without a fault that should pass.
+    #[arg(value_name = "PATH", default_value = "cases", conflicts_with = "quick")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// How many full judgements, each on a seed of its own.
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = number::runs)]
+    pub(crate) runs: u64,
+    /// The seed from which each run has its own.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Draws of every subject [default: 16384, a block; with --quick what the built-in cases say].
+    #[arg(long, value_name = "N", value_parser = number::draws)]
+    pub(crate) draws: Option<u64>,
+    /// The family-wise error of both stages; several decide the same draws.
+    #[arg(long, value_name = "P", default_values_t = [1e-3], value_parser = number::level)]
+    pub(crate) level: Vec<f64>,
+    /// A small built-in selection of cases, with draws enough for every test.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Worker threads [default: one per CPU]; results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = number::jobs)]
+    pub(crate) jobs: Option<usize>,
+    /// The folder that soak.json is written to.
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    pub(crate) out: PathBuf,
+    /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// Print soak.json instead of tables.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Show no progress.
+    #[arg(long)]
+    pub(crate) quiet: bool,
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,

@@ -1,5 +1,6 @@
 //! One command per file. Each gives the exit code, or the trouble that it met.
 
+pub(crate) mod check;
 pub(crate) mod describe;
 pub(crate) mod list;
 pub(crate) mod medium;
@@ -7,3 +8,4 @@ pub(crate) mod microscope;
 pub(crate) mod report;
 pub(crate) mod run;
 pub(crate) mod schema;
+pub(crate) mod soak;

@@ -9,6 +9,7 @@ mod number;
 mod progress;
 mod reference;
 mod screen;
+mod signal;
 mod table;
 mod trouble;
 
@@ -21,12 +22,14 @@ fn main() -> ExitCode {
     let Command { verb, color } = Command::parse();
     let done = match &verb {
         Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
         Verb::Microscope(args) => cmd::microscope::microscope(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),
         Verb::Describe(args) => cmd::describe::describe(args),
         Verb::Report(args) => cmd::report::report(args),
+        Verb::Soak(args) => cmd::soak::soak(args, color),
     };
     let code = done.unwrap_or_else(|trouble| {
         // If standard error is gone, there is nobody to tell.

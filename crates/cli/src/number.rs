@@ -6,6 +6,9 @@ use freepath_harness::microscope::MOST_POINTS;
 /// Most worker threads.
 const MOST_JOBS: usize = 1024;
 
+/// Most runs of a soak.
+const MOST_RUNS: u64 = 100_000_000;
+
 /// A number of draws: `1000000` or `1e6`.
 pub(crate) fn draws(text: &str) -> Result<u64, String> {
     let must_be = || format!("must be a whole number from 1 to {MOST_DRAWS}, such as 1e6");
@@ -25,6 +28,18 @@ pub(crate) fn points(text: &str) -> Result<u32, String> {
     points.ok_or_else(|| format!("must be a power of 2 from 16 to {MOST_POINTS}"))
 }
 
+/// A number of runs.
+pub(crate) fn runs(text: &str) -> Result<u64, String> {
+    let whole = text.parse().ok().or_else(|| from_float(text));
+    whole.filter(|n| (1..=MOST_RUNS).contains(n)).ok_or(format!("must be a whole number from 1 to {MOST_RUNS}"))
+}
+
+/// A family-wise error.
+pub(crate) fn level(text: &str) -> Result<f64, String> {
+    let level = text.parse().ok().filter(|p: &f64| *p >= 1e-9 && *p <= 0.5);
+    level.ok_or_else(|| "must be a probability from 1e-9 to 0.5".into())
+}
+
 /// A number of threads.
 pub(crate) fn jobs(text: &str) -> Result<usize, String> {
     let jobs = text.parse().ok().filter(|n| (1..=MOST_JOBS).contains(n));
@@ -41,6 +56,14 @@ mod tests {
         for text in ["8", "100", "131072", "-16", "1e3", ""] {
             assert!(points(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn levels_are_probabilities() {
+        assert_eq!(level("0.05"), Ok(0.05));
+        assert_eq!(runs("2e3"), Ok(2000));
+        assert!(["0", "0.6", "-1", "nan", "inf", ""].iter().all(|text| level(text).is_err()));
+        assert!(["0", "-1", "1e12", "nan", "few"].iter().all(|text| runs(text).is_err()));
     }
 
     #[test]

@@ -38,7 +38,7 @@ impl Entry {
 const IN_SCHEMA: &[(&str, &str)] = &[
     ("free_path", "FreePathSubject"),
     ("transmittance", "TransmittanceSubject"),
-    ("chromatic", "AnyChromatic"),
+    ("chromatic", "ChromaticSubject"),
     ("medium", "AnyMedium"),
     ("majorant", "MajorantChoice"),
     ("fault", "Fault"),

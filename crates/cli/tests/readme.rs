@@ -99,7 +99,7 @@ fn the_code_is_that_of_the_example() {
 fn every_name_is_told() {
     let readme = text("README.md");
     let subjects =
-        [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::NAMES, AnyMedium::NAMES];
+        [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::names(), AnyMedium::NAMES];
     let names = subjects.into_iter().flatten().copied();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());

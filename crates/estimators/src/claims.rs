@@ -68,10 +68,10 @@ impl Default for TransmittanceClaims {
 pub struct ChromaticClaims {
     /// The probability of each channel in the mixture that the unweighted t follows: sum of q_c mu_c exp(-mu_c t).
     pub mixture: Option<Vec<f64>>,
-    /// E[w^2; scatter] of each channel.
-    pub scatter_moments: Option<Vec<f64>>,
-    /// E[w^2; surface] of each channel.
-    pub surface_moments: Option<Vec<f64>>,
+    /// E[w^2; scatter], E[w^4; scatter] and E[w^6; scatter] of each channel; the last two may be infinite.
+    pub scatter_moments: Option<Vec<[f64; 3]>>,
+    /// E[w^2; surface], E[w^4; surface] and E[w^6; surface] of each channel; the last two may be infinite.
+    pub surface_moments: Option<Vec<[f64; 3]>>,
 }
 
 /// A channel of a chromatic medium, as a chromatic sampler sees it.

@@ -143,6 +143,7 @@ impl Trial {
             Work::FreePath(_) | Work::Exact => "the sampler does not follow the free-path law",
             Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
             Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
+            Work::Samples(..) => "the samples are wrong",
         };
         let mut text = format!("{what}: {}\n", decision.verdict);
         for note in &decision.notes {

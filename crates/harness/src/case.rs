@@ -17,6 +17,7 @@ mod faults;
 mod fit;
 mod name;
 mod prepare;
+mod samples;
 mod subject;
 mod surroundings;
 
@@ -24,7 +25,8 @@ pub use error::CaseError;
 pub use faults::Faults;
 pub use name::hash;
 pub use prepare::{Limits, Prepared, PreparedSubject, World};
-pub use subject::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
+pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
+pub use subject::{ChromaticSubject, ClosedForm, Exact, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;
@@ -61,11 +63,11 @@ pub struct Case {
     /// A pass is inconclusive until the bias is bounded so far.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bias_bound: Option<BiasBound>,
-    /// Subjects may be off by so much in every claim.
+    /// Subjects may be off by so much in every claim (default 0; of samples in single precision, 6e-8).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(range(min = 0, max = 1))]
     pub tolerance: Option<f64>,
-    /// Bits of the subjects' uniforms (default 52), for the test of ties.
+    /// Bits of the subjects' uniforms (default 52; of samples, 24 in single and 53 in double precision), for the test of ties.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(range(min = 8, max = 53))]
     pub resolution_bits: Option<u32>,
@@ -88,14 +90,25 @@ pub struct Ray {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum BiasBound {
-    /// In units of the mean.
+    /// In units of the mean; for a free path a probability, the most that its distribution function may be off.
     Absolute(f64),
-    /// As a share of the expected mean.
+    /// As a share of the expected mean; for a free path of 1, the greatest value of a distribution function.
     Relative(f64),
 }
 
+impl BiasBound {
+    /// The bound on the error of something of this size.
+    #[must_use]
+    pub fn of(self, size: f64) -> f64 {
+        match self {
+            Self::Absolute(bound) => bound,
+            Self::Relative(share) => share * size,
+        }
+    }
+}
+
 /// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [{"required": ["free_path"]}, {"required": ["transmittance"]}, {"required": ["chromatic"]}]))]
 pub struct Subject {
@@ -114,7 +127,7 @@ pub struct Subject {
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub majorant: Option<MajorantChoice>,
-    /// Instead of the case's.
+    /// Instead of the case's; of samples, the rows of both stages, from the first on (default: all).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(range(min = 1, max = MOST_DRAWS))]
     pub draws: Option<u64>,
@@ -180,6 +193,8 @@ pub struct CaseFile {
     pub source: Source,
     /// What it says.
     pub case: Case,
+    /// Whether its subject came from elsewhere, and along which ray.
+    checked: Option<Option<usize>>,
 }
 
 impl CaseFile {
@@ -199,6 +214,6 @@ impl CaseFile {
     pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
         let source = Source::new(path.display().to_string(), text)?;
         let case = source.read()?;
-        Ok(Self { path: path.to_path_buf(), source, case })
+        Ok(Self { path: path.to_path_buf(), source, case, checked: None })
     }
 }

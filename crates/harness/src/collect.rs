@@ -3,14 +3,19 @@
 use crate::audit::Audit;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_block};
-use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, LagTally, PowerSums, Running, TieTally};
+use crate::sequence::Capitals;
+use crate::subject::{BLOCK, Subject, Work};
+use crate::tally::{
+    Batch, Batches, CellTally, CountTally, Extremes, LagTally, PowerSums, Running, Tail, TieTally,
+};
 use crate::test::BlockLookups;
 use freepath_estimators::{Draws, Key};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
+
+mod samples;
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
@@ -23,6 +28,8 @@ const FIRST_BLOCKS: u64 = 4;
 pub struct Counts {
     /// Free paths by cell.
     pub cells: Option<CellTally>,
+    /// The free paths nearest to either end.
+    pub ends: Option<Box<Extremes>>,
     /// Tentative collisions.
     pub collisions: Option<CountTally>,
     /// Neighbouring draws.
@@ -31,10 +38,14 @@ pub struct Counts {
     pub ties: TieTally,
     /// Free paths whose weight is not 1.
     pub weighted: u64,
+    /// Distances that are NaN, and those outside the ray, where no law counts them.
+    pub strays: [u64; 2],
     /// Look-ups by block.
     pub lookups: BlockLookups,
     /// Look-ups, all told.
     pub audit: Audit,
+    /// Of the column `weight`, or of each chromatic claim: the largest, where their range is not known.
+    pub tails: Vec<Option<Tail>>,
 }
 
 /// Everything that was folded from a range of blocks.
@@ -46,8 +57,12 @@ pub struct Collected {
     pub mean: Option<PowerSums>,
     /// The running mean.
     pub running: Running,
-    /// Of each chromatic claim: weights, and their squares.
-    pub channels: Vec<(PowerSums, PowerSums)>,
+    /// Variance and cost of the column `weight` by groups of blocks.
+    pub batches: Batches,
+    /// What the bets of the plan gained.
+    pub capitals: Capitals,
+    /// Of the weights of each chromatic claim.
+    pub channels: Vec<PowerSums>,
     /// Draws taken.
     pub draws: u64,
     /// Seconds of sampling, summed over threads.
@@ -65,8 +80,14 @@ pub enum Stopped {
 
 /// The float sums of one block.
 struct BlockSums {
+    /// The block's number.
+    block: u64,
+    rows: u64,
     mean: Option<PowerSums>,
-    channels: Vec<(PowerSums, PowerSums)>,
+    /// None of draws that come from a file.
+    lookups: u64,
+    capitals: Capitals,
+    channels: Vec<PowerSums>,
     seconds: f64,
     /// For the first block: sums over its first draws.
     early: Vec<PowerSums>,
@@ -83,9 +104,11 @@ struct Worker {
 impl Worker {
     fn new(subject: &Subject, plan: &Plan) -> Self {
         let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
+        let ends = plan.law.as_ref().map(|law| Box::new(Extremes::new(law.truth.length())));
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let counts = Counts { cells, collisions, ..Counts::default() };
+        let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
+        let counts = Counts { cells, ends, collisions, tails, ..Counts::default() };
         Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
     }
 
@@ -95,16 +118,29 @@ impl Worker {
         let record = sample_block(subject, key, row, &mut self.draws)?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
+        Ok(BlockSums { lookups: record.audit.lookups, ..self.tally(plan, key.block, first, record.seconds) })
+    }
+
+    /// Folds the draws of `block`, which took so many seconds.
+    fn tally(&mut self, plan: &Plan, block: u64, first: bool, seconds: f64) -> BlockSums {
         self.count(plan, first);
-        let early = if row == 0 { self.early(plan) } else { Vec::new() };
+        let early = if block == 0 { self.early(plan) } else { Vec::new() };
         let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        Ok(BlockSums { mean, channels: self.channels(plan), seconds: record.seconds, early })
+        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
+            tail.observe(&self.draws.weight);
+        }
+        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
+        let rows = self.draws.rows as u64;
+        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
     }
 
     fn count(&mut self, plan: &Plan, first: bool) {
         let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
             cells.observe(&law.truth, &draws.t, index);
+            if let Some(ends) = &mut counts.ends {
+                ends.observe(&draws.t);
+            }
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
             }
@@ -113,6 +149,11 @@ impl Worker {
             }
             let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
             counts.weighted += weighted.count() as u64;
+        } else if let Some(channels) = &plan.channels {
+            let inside = |t: f64| (t >= 0.0 && t <= channels.length) || t == f64::INFINITY;
+            let count = |stray: &dyn Fn(f64) -> bool| draws.t.iter().filter(|&&t| stray(t)).count() as u64;
+            counts.strays[0] += count(&f64::is_nan);
+            counts.strays[1] += count(&|t| !t.is_nan() && !inside(t));
         }
         if let Some(collisions) = &mut counts.collisions {
             collisions.observe(&draws.collisions, index);
@@ -127,23 +168,22 @@ impl Worker {
         counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
     }
 
-    fn channels(&mut self, plan: &Plan) -> Vec<(PowerSums, PowerSums)> {
+    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
         let Some(channels) = &plan.channels else {
             return Vec::new();
         };
-        let Self { draws, masked, .. } = self;
-        let mut one = |claim: &crate::plan::ChannelClaim| {
+        let Self { draws, masked, counts, .. } = self;
+        let mut one = |(claim, tail): (&crate::plan::ChannelClaim, &mut Option<Tail>)| {
             let column = &draws.channels[claim.channel];
             masked.clear();
             masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
-            let weights = PowerSums::of(claim.mean.expected, masked);
-            masked.iter_mut().for_each(|w| *w *= *w);
-            (weights, PowerSums::of(claim.second_moment.unwrap_or(0.0), masked))
+            tail.iter_mut().for_each(|tail| tail.observe(masked));
+            PowerSums::of(claim.mean.expected, masked)
         };
-        channels.claims.iter().map(&mut one).collect()
+        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
     }
 }
 
@@ -152,26 +192,35 @@ impl Counts {
         if let (Some(a), Some(b)) = (&mut self.cells, &other.cells) {
             a.merge(b);
         }
+        if let (Some(a), Some(b)) = (&mut self.ends, &other.ends) {
+            a.merge(b);
+        }
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
             a.merge(b);
         }
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
         self.weighted += other.weighted;
+        self.strays.iter_mut().zip(other.strays).for_each(|(all, more)| *all += more);
         self.lookups.merge(&other.lookups);
         self.audit = self.audit.plus(other.audit);
+        for (a, b) in self.tails.iter_mut().zip(&other.tails) {
+            if let (Some(a), Some(b)) = (a, b) {
+                a.merge(b);
+            }
+        }
     }
 }
 
 impl Collected {
     fn new(plan: &Plan) -> Self {
-        let sums = |claim: &crate::plan::ChannelClaim| {
-            (PowerSums::new(claim.mean.expected), PowerSums::new(claim.second_moment.unwrap_or(0.0)))
-        };
+        let sums = |claim: &crate::plan::ChannelClaim| PowerSums::new(claim.mean.expected);
         Self {
             counts: Counts::default(),
             mean: plan.mean.as_ref().map(|mean| PowerSums::new(mean.truth.expected)),
             running: Running::default(),
+            batches: Batches::default(),
+            capitals: Capitals::default(),
             channels: plan.channels.iter().flat_map(|channels| channels.claims.iter().map(sums)).collect(),
             draws: 0,
             seconds: 0.0,
@@ -184,13 +233,39 @@ impl Collected {
         if let (Some(a), Some(b)) = (&mut self.mean, &block.mean) {
             a.merge(b);
             self.running.note(a);
+            let (n, [sum, squares, ..], lookups) = (b.n as f64, b.sums, block.lookups as f64);
+            self.batches.observe(Batch { n, sum, squares, lookups });
         }
-        for ((weights, squares), (w, s)) in self.channels.iter_mut().zip(&block.channels) {
+        self.capitals.merge(&block.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&block.channels) {
             weights.merge(w);
-            squares.merge(s);
         }
-        self.draws += BLOCK as u64;
+        self.draws += block.rows;
         self.seconds += block.seconds;
+    }
+
+    /// Takes in later draws; the running mean and the batches stay as they are.
+    pub fn merge(&mut self, next: Self) {
+        if let (Some(a), Some(b)) = (&mut self.mean, &next.mean) {
+            a.merge(b);
+        }
+        self.capitals.merge(&next.capitals);
+        for (weights, w) in self.channels.iter_mut().zip(&next.channels) {
+            weights.merge(w);
+        }
+        self.counts.merge(next.counts);
+        self.draws += next.draws;
+        self.seconds += next.seconds;
+        self.fit_tails();
+    }
+
+    /// Notes the Pareto shape of each column whose tail was kept.
+    fn fit_tails(&mut self) {
+        let Self { counts, mean, channels, .. } = self;
+        let columns = mean.iter_mut().chain(channels.iter_mut());
+        for (sums, tail) in columns.zip(&counts.tails) {
+            sums.shape = tail.as_ref().and_then(|tail| tail.shape(sums.n));
+        }
     }
 }
 
@@ -212,10 +287,14 @@ impl Workers {
     }
 
     fn run(&self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
+        self.with(subject, plan, |worker| worker.run(subject, plan, key, first))
+    }
+
+    /// Puts the worker of this thread to `work`.
+    fn with<T>(&self, subject: &Subject, plan: &Plan, work: impl FnOnce(&mut Worker) -> T) -> T {
         let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-        let worker = slot.get_or_insert_with(|| Worker::new(subject, plan));
-        worker.run(subject, plan, key, first)
+        work(slot.get_or_insert_with(|| Worker::new(subject, plan)))
     }
 
     /// The counts of all workers; none if nobody worked.
@@ -240,6 +319,9 @@ pub fn collect(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
+    if let Work::Samples(_, source) = subject.work {
+        return samples::collect(source, subject, plan, seed, blocks, watch);
+    }
     let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {
@@ -264,5 +346,6 @@ pub fn collect(
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
     Ok(collected)
 }

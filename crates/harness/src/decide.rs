@@ -27,13 +27,25 @@ pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> A
 /// Whether an adjusted p-value rejects: NaN does.
 #[must_use]
 pub fn rejects(adjusted: Option<f64>) -> bool {
-    adjusted.is_some_and(|p| !(p > STAGE_ALPHA))
+    rejects_at(adjusted, STAGE_ALPHA)
+}
+
+/// [`rejects`] at another error of the stage.
+#[must_use]
+pub fn rejects_at(adjusted: Option<f64>, level: f64) -> bool {
+    adjusted.is_some_and(|p| !(p > level))
 }
 
 /// Whether stage 1 gives cause for stage 2: any raw p at or below the stage's error.
 #[must_use]
 pub fn suspect(judged: &Judged) -> bool {
-    judged.evidence.iter().any(|evidence| rejects(evidence.judged_p()))
+    suspect_at(judged, STAGE_ALPHA)
+}
+
+/// [`suspect`] at another error of the stage.
+#[must_use]
+pub fn suspect_at(judged: &Judged, level: f64) -> bool {
+    judged.evidence.iter().any(|evidence| rejects_at(evidence.judged_p(), level))
 }
 
 /// A verdict with its reasons and a sentence for each.
@@ -57,8 +69,17 @@ pub struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    fn rejections(&self) -> Vec<(Reason, String)> {
-        let rejected = self.judged.evidence.iter().zip(self.adjusted).filter(|(_, adjusted)| rejects(**adjusted));
+    /// Names of the tests that reject at `level`.
+    pub fn rejected_at(&self, level: f64) -> impl Iterator<Item = &str> {
+        let pairs = self.judged.evidence.iter().zip(self.adjusted);
+        pairs
+            .filter(move |(_, adjusted)| rejects_at(**adjusted, level))
+            .map(|(evidence, _)| evidence.name.as_str())
+    }
+
+    fn rejections(&self, level: f64) -> Vec<(Reason, String)> {
+        let pairs = self.judged.evidence.iter().zip(self.adjusted);
+        let rejected = pairs.filter(|(_, adjusted)| rejects_at(**adjusted, level));
         let note =
             rejected.map(|(evidence, adjusted)| (evidence.reason, sentence(evidence, adjusted.unwrap_or(0.0))));
         note.collect()
@@ -81,7 +102,13 @@ fn sentence(evidence: &Evidence, adjusted: f64) -> String {
 /// at all, is inconclusive.
 #[must_use]
 pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
-    let (one, two) = (first.rejections(), second.map(|stage| stage.rejections()).unwrap_or_default());
+    decide_at(first, second, STAGE_ALPHA)
+}
+
+/// [`decide`] at another error of each stage.
+#[must_use]
+pub fn decide_at(first: Stage, second: Option<Stage>, level: f64) -> Decision {
+    let (one, two) = (first.rejections(level), second.map(|stage| stage.rejections(level)).unwrap_or_default());
     let facts = [Some(first), second].into_iter().flatten();
     let mut found: Vec<(Reason, String)> =
         facts.flat_map(|stage| &stage.judged.facts).map(|fact| (fact.reason, fact.words.clone())).collect();

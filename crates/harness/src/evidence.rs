@@ -8,6 +8,41 @@ pub const REPORTING_LEVEL: f64 = 1e-6;
 /// The power at which `detectable` is given.
 pub const POWER: f64 = 0.9;
 
+/// How a p-value is distributed where the claim holds: what calibration checks, and nothing that a verdict uses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Null {
+    /// Uniform: exactly, or up to the error of a limit law.
+    Uniform,
+    /// That of a discrete statistic X seen to be x: below + U (up_to - below) is uniform for a uniform U of its own.
+    Discrete {
+        /// P(X < x).
+        below: f64,
+        /// P(X <= x).
+        up_to: f64,
+    },
+    /// Never below uniform: a bound, or a statistic that is mostly at its ends.
+    Conservative,
+}
+
+impl Null {
+    /// Of a test that lessens a difference by `slack` before it is held against its standard error: uniform if that cannot be
+    /// seen, else conservative.
+    #[must_use]
+    pub fn lessened(slack: f64, error: f64) -> Self {
+        if slack <= 1e-3 * error { Self::Uniform } else { Self::Conservative }
+    }
+
+    /// `uniform`, `discrete` or `conservative`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Discrete { .. } => "discrete",
+            Self::Conservative => "conservative",
+        }
+    }
+}
+
 /// The outcome of one test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
@@ -21,6 +56,8 @@ pub struct Evidence {
     pub p: Option<f64>,
     /// The p-value is shown and spends no error: it is not in Holm, and rejects nothing.
     pub reported: bool,
+    /// How p is distributed where the claim holds.
+    pub null: Null,
     /// What a rejection means.
     pub reason: Reason,
     /// Why there is no p-value, or what the statistic is made of.
@@ -32,19 +69,27 @@ impl Evidence {
     #[must_use]
     pub fn new(name: impl Into<String>, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> Self {
         let p = if p >= 0.0 && p <= 1.0 { p } else { 0.0 };
-        Self { name: name.into(), statistic, dof, p: Some(p), reported: false, reason, note: String::new() }
+        let (null, note) = (Null::Uniform, String::new());
+        Self { name: name.into(), statistic, dof, p: Some(p), reported: false, null, reason, note }
     }
 
     /// A statistic that its gate keeps out of the verdict, and why.
     #[must_use]
     pub fn withheld(name: impl Into<String>, statistic: f64, reason: Reason, why: impl Into<String>) -> Self {
-        Self { name: name.into(), statistic, dof: None, p: None, reported: false, reason, note: why.into() }
+        let (null, note) = (Null::Uniform, why.into());
+        Self { name: name.into(), statistic, dof: None, p: None, reported: false, null, reason, note }
     }
 
     /// The same with its p-value shown only: a statistic that the verdict does not use.
     #[must_use]
     pub fn reported(self) -> Self {
         Self { reported: true, ..self }
+    }
+
+    /// The same with what is known of its p-value where the claim holds.
+    #[must_use]
+    pub fn under(self, null: Null) -> Self {
+        Self { null, ..self }
     }
 
     /// The p-value that the verdict uses, if any.

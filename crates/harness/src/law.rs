@@ -44,6 +44,20 @@ impl Law {
         }
     }
 
+    /// The greatest t f(t), with the density f averaged over fine cells: by so much of a small relative error of t a
+    /// probability may be off.
+    #[must_use]
+    pub fn steepness(&self) -> f64 {
+        let steep = |k: usize| self.mass(k) * self.scale * self.edge(k + 1);
+        (0..self.cells()).map(steep).fold(0.0, |a, b| if b > a { b } else { a })
+    }
+
+    /// The same, off by `more` at the most.
+    #[must_use]
+    pub fn loosened(self, more: f64) -> Self {
+        Self { slack: self.slack + more, ..self }
+    }
+
     /// Another law on the same cells.
     #[must_use]
     pub fn with_survival(&self, slack: f64, survival: impl Fn(f64) -> f64) -> Self {

@@ -32,7 +32,7 @@ pub use net::{DIMENSIONS, MOST_POINTS, Net};
 pub const LEVEL: f64 = 1e-3;
 
 /// Blocks of walks are numbered from here, beyond those of identities.
-const FIRST_BLOCK: u64 = 1 << 43;
+const FIRST_BLOCK: u64 = 1 << 46;
 
 /// Largest |skewness| / sqrt(points) of a mean for which an interval is given.
 const MOST_SKEWNESS: f64 = 0.1;
@@ -73,6 +73,11 @@ pub fn look(subject: &Subject, focus: Focus) -> Result<Sight, String> {
     };
     if !focus.points.is_power_of_two() || focus.points > MOST_POINTS || focus.scrambles < 2 {
         return Err(format!("points must be a power of 2 up to {MOST_POINTS}, and scrambles at least 2"));
+    }
+    if let Work::Samples(..) = subject.work {
+        return Err(
+            "samples are made elsewhere: the microscope looks at what takes its random numbers from us".into()
+        );
     }
     let plan = Plan::of(subject);
     let subject = Subject { route: Route::Scalar, ..subject.clone() };

@@ -2,10 +2,12 @@
 
 use crate::case::Claim;
 use crate::law::Law;
+use crate::samples::SampleKind;
+use crate::sequence::Bets;
 use crate::subject::{Scene, Subject, Work};
 use crate::tally::Scores;
 use crate::test::{MeanClaim, pair_probability};
-use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
+use freepath_estimators::claims::{ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::{ChromaticSampler, Medium};
 
@@ -17,6 +19,7 @@ mod transmittance;
 pub use chromatic::{ChannelClaim, ChannelsPlan, Event};
 pub use design::Design;
 pub use free_path::LawPlan;
+pub(crate) use free_path::Survivals;
 pub use transmittance::MeanPlan;
 
 /// What is claimed of a subject's draws, and so what is tallied of them.
@@ -25,6 +28,8 @@ pub struct Plan {
     pub law: Option<LawPlan>,
     /// Of the column `weight`.
     pub mean: Option<MeanPlan>,
+    /// What is bet on the draws while they grow towards a bound.
+    pub bets: Option<Bets>,
     /// Of the weights per channel.
     pub channels: Option<ChannelsPlan>,
     /// `collisions` is Poisson with this mean.
@@ -60,6 +65,7 @@ impl Plan {
                 Self::transmittance(subject, truth, &estimator.claims(truth))
             }
             (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Self::chromatic(subject, sampler, medium),
+            (Work::Samples(kind, _), scene) => Self::samples(subject, kind, scene),
             _ => Self::nothing(),
         };
         plan.bounded &= subject.claims(Claim::Bounded);
@@ -82,11 +88,22 @@ impl Plan {
         Self { law, mean, bounded: self.bounded, known: false, ..Self::nothing() }
     }
 
+    /// For the column `weight`, or for each chromatic claim: whether its largest values are kept, since neither a range nor a
+    /// moment by formula says that it has a variance.
+    #[must_use]
+    pub fn tails(&self) -> Vec<bool> {
+        let unknown = |claim: &MeanClaim| claim.range.is_none() && claim.variance.is_none();
+        let mean = self.mean.iter().map(|mean| unknown(&mean.truth));
+        let channels = self.channels.iter().flat_map(|channels| &channels.claims);
+        mean.chain(channels.map(|claim| claim.tail)).collect()
+    }
+
     /// A subject in a scene that does not fit it: no claim.
     fn nothing() -> Self {
         Self {
             law: None,
             mean: None,
+            bets: None,
             channels: None,
             poisson: None,
             lookups: None,
@@ -101,7 +118,7 @@ impl Plan {
         let law = LawPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, law.design_distance()));
         Self {
-            design: Design::of_law(&law, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_law(&law, draws)),
             law: Some(law),
             lookups: claims.lookups,
             bounded: claims.bounded,
@@ -114,13 +131,35 @@ impl Plan {
         let mean = MeanPlan::of(subject, truth, claims);
         let order = claims.order.map(|order| (order, mean.design_bias()));
         Self {
-            design: Design::of_mean(&mean, subject.draws),
+            design: Design::while_growing(subject, |draws| Design::of_mean(&mean, draws)),
+            bets: mean.bets(subject),
             mean: Some(mean),
             poisson: claims.poisson,
             lookups: claims.lookups,
             bounded: claims.bounded,
             order,
             ..Self::nothing()
+        }
+    }
+
+    /// What is true of any right sampler, whoever made it.
+    fn samples(subject: &Subject, kind: SampleKind, scene: Scene) -> Self {
+        let channels = |channels| Self { channels: Some(channels), ..Self::nothing() };
+        match (kind, scene) {
+            (SampleKind::FreePath, Scene::Grey { truth, .. }) => {
+                Self::free_path(subject, truth, &FreePathClaims { bounded: false, ..FreePathClaims::default() })
+            }
+            (SampleKind::WeightedFreePath, Scene::Grey { truth, .. }) => {
+                channels(ChannelsPlan::of_weighted(subject, truth))
+            }
+            (SampleKind::Transmittance, Scene::Grey { truth, .. }) => {
+                let claims = TransmittanceClaims { bounded: false, ..TransmittanceClaims::default() };
+                Self::transmittance(subject, truth, &claims)
+            }
+            (SampleKind::Chromatic, Scene::Chromatic(medium)) => {
+                channels(ChannelsPlan::of_channels(subject, medium, &ChromaticClaims::default()))
+            }
+            _ => Self::nothing(),
         }
     }
 

@@ -4,13 +4,17 @@ use crate::real::Real;
 use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
+mod grown;
 mod law;
 mod mean;
 mod medium;
+mod ranking;
 
+pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
+pub use ranking::{Ranked, RankedPair, Ranking, Refused};
 
 /// The version of this format. Fields are added, never renamed.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -41,6 +45,9 @@ pub struct Results {
     pub media: Vec<MediumResult>,
     /// One for each subject, case and ray.
     pub results: Vec<SubjectResult>,
+    /// The transmittance estimators of each medium by efficiency.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub rankings: Vec<Ranking>,
 }
 
 /// What was found of one subject in one medium.
@@ -84,6 +91,9 @@ pub struct SubjectResult {
     pub draws: u64,
     /// Draws taken in stage 2, 0 if there was none.
     pub draws_stage2: u64,
+    /// Rows of a file of samples that were not judged, since fewer were asked for.
+    #[serde(skip_serializing_if = "is_zero", default)]
+    pub draws_left: u64,
     /// The mean of a transmittance estimator.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub mean: Option<MeanResult>,
@@ -115,6 +125,11 @@ pub struct SubjectResult {
     pub order: Option<OrderResult>,
     /// The command that repeats this subject alone.
     pub repro: String,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(n: &u64) -> bool {
+    *n == 0
 }
 
 /// One test in one stage.

@@ -8,7 +8,7 @@ use crate::judge::{Judged, judge};
 use crate::noiseless;
 use crate::plan::Plan;
 use crate::real::Real;
-use crate::results::{Results, SCHEMA_VERSION, SubjectTiming};
+use crate::results::{Grown, Results, SCHEMA_VERSION, SubjectTiming};
 use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
@@ -16,6 +16,7 @@ use std::sync::atomic::AtomicBool;
 use agree::Settings;
 
 mod agree;
+mod efficiency;
 mod expect;
 mod grow;
 mod media;
@@ -70,10 +71,19 @@ struct Trial<'a> {
     seconds: f64,
 }
 
+impl Trial<'_> {
+    /// Whether there is a second stage: for a suspect, and where its draws are made already.
+    fn goes_on(&self) -> bool {
+        let read = self.first.collected.is_some() && self.subject.work.finished();
+        read || suspect(&self.first.judged)
+    }
+}
+
 /// What stage 1 gave.
 struct Stage1 {
     judged: Judged,
     collected: Option<Collected>,
+    grown: Option<Grown>,
 }
 
 /// Runs every subject of every case.
@@ -88,11 +98,11 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
             trials.push(stage_one(case, prepared, options)?);
         }
     }
-    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| suspect(&trial.first.judged)).collect();
+    let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
-        let draws = 2 * whole(trial.subject.draws);
-        let settings = 1 + trial.prepared.variants.len() as u64;
-        (options.progress)(Progress::Planned(settings * draws), &trial.prepared.name);
+        let draws = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+        let draws = draws.unwrap_or(2 * whole(trial.subject.draws));
+        (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
     }
     for trial in &mut suspects {
         stage_two(trial, options)?;
@@ -105,8 +115,8 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        let settings = 1 + prepared.variants.len() as u64;
-        (options.progress)(Progress::Planned(settings * whole(prepared.draws)), &prepared.name);
+        let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
+        (options.progress)(Progress::Planned(prepared.settings() * draws), &prepared.name);
     }
 }
 
@@ -121,11 +131,11 @@ fn stage_one<'a>(
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
     let subject = prepared.runnable(&case.world, &case.case);
-    let plan = Plan::of(&subject);
+    let mut plan = Plan::of(&subject);
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
-    let (mut first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
+    let (mut first, seconds) = first_stage(&subject, &mut plan, options, &watch, &prepared.name)?;
     if let Some(own) = &first.collected {
         let settings = Settings { prepared, subject: &subject, plan: &plan, seed: options.seed };
         settings.agree(own, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
@@ -136,7 +146,7 @@ fn stage_one<'a>(
 /// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
 fn first_stage(
     subject: &Subject,
-    plan: &Plan,
+    plan: &mut Plan,
     options: &Options,
     watch: &Watch,
     name: &str,
@@ -147,8 +157,7 @@ fn first_stage(
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => {
             let judged = Judged::broken(why);
-            let collected = None;
-            return Ok((Stage1 { judged, collected }, 0.0));
+            return Ok((Stage1 { judged, collected: None, grown: None }, 0.0));
         }
     };
     let mut judged = judge(subject, plan, &collected);
@@ -158,29 +167,36 @@ fn first_stage(
         watch,
         planned: &|draws| (options.progress)(Progress::Planned(draws), name),
     };
-    growth.towards_bound(subject, plan, &collected, &mut judged)?;
+    let grown = growth.towards_bound(subject, plan, &collected, &mut judged)?;
     let seconds = collected.seconds;
     let collected = Some(collected);
-    Ok((Stage1 { judged, collected }, seconds))
+    Ok((Stage1 { judged, collected, grown }, seconds))
 }
 
-/// Fresh streams, twice as many, and all tests again.
+/// Fresh streams, twice as many, and all tests again; grown draws that reject are to be confirmed by grown draws.
 fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
-    let tell = |draws| (options.progress)(Progress::Done(draws), &trial.prepared.name);
+    let Trial { prepared, subject, plan, first, second, .. } = trial;
+    let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
-    let blocks = Subject::blocks(trial.subject.draws);
-    let (subject, plan, seed) = (&trial.subject, &trial.plan, options.seed);
-    let second = match collect(subject, plan, seed, blocks..3 * blocks, &watch) {
-        Ok(collected) => {
-            let mut judged = judge(subject, plan, &collected);
-            let settings = Settings { prepared: trial.prepared, subject, plan, seed };
-            settings.agree(&collected, &(blocks..3 * blocks), &watch, &mut judged)?;
-            (judged, collected.draws)
-        }
+    let blocks = Subject::blocks(subject.draws);
+    let collected = match collect(subject, plan, options.seed, blocks..3 * blocks, &watch) {
+        Ok(collected) => collected,
         Err(Stopped::Cancelled) => return Err(Cancelled),
-        Err(Stopped::Subject(why)) => (Judged::broken(why), 0),
+        Err(Stopped::Subject(why)) => {
+            *second = Some((Judged::broken(why), 0));
+            return Ok(());
+        }
     };
-    trial.second = Some(second);
+    let (mut judged, mut draws) = (judge(subject, plan, &collected), collected.draws);
+    let settings = Settings { prepared, subject, plan, seed: options.seed };
+    settings.agree(&collected, &(blocks..3 * blocks), &watch, &mut judged)?;
+    if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
+        let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
+        let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
+        let most = if subject.work.finished() { 0 } else { 2 * grown.draws };
+        draws = growth.confirm(subject, plan, collected, most, &mut judged)?;
+    }
+    *second = Some((judged, draws));
     Ok(())
 }
 
@@ -202,6 +218,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         draws: result.draws,
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
+    let rankings = efficiency::rankings(trials, &results);
     let results = Results {
         schema_version: SCHEMA_VERSION,
         version: env!("CARGO_PKG_VERSION").into(),
@@ -213,6 +230,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         repro: options.repro.clone(),
         media: cases.iter().map(medium_result).collect(),
         results,
+        rankings,
     };
     Outcome { results, timings }
 }

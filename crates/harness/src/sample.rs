@@ -2,6 +2,7 @@
 
 use crate::audit::{Audit, Audited};
 use crate::fault::{BlockPlace, Faulty, lay_over_draws};
+use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
@@ -27,8 +28,13 @@ pub fn columns(subject: &Subject, rows: usize) -> Draws {
     match (subject.work, subject.scene) {
         (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_weight().with_collisions(),
         (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
-        (Work::Chromatic(_), Scene::Chromatic(medium)) => draws.with_t().with_channels(medium.media().len()),
-        (Work::Chromatic(_), Scene::Grey { .. }) => draws,
+        (Work::Samples(Kind::FreePath, _), _) => draws.with_t(),
+        (Work::Samples(Kind::WeightedFreePath, _), _) => draws.with_t().with_channels(1),
+        (Work::Samples(Kind::Transmittance, _), _) => draws.with_weight(),
+        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Chromatic(medium)) => {
+            draws.with_t().with_channels(medium.media().len())
+        }
+        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Grey { .. }) => draws,
     }
 }
 
@@ -127,7 +133,8 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
     match work {
         Work::FreePath(sampler) => sampler.sample_block(medium, streams, draws),
         Work::Transmittance(estimator) => estimator.estimate_block(medium, streams, draws),
-        Work::Exact | Work::ClosedForm | Work::Chromatic(_) => from_truth(work, truth, streams, draws),
+        Work::Exact | Work::ClosedForm => from_truth(work, truth, streams, draws),
+        Work::Chromatic(_) | Work::Samples(..) => {} // not drawn here: unwritten rows are NaN
     }
 }
 
@@ -140,9 +147,8 @@ fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams
             Work::Transmittance(estimator) => {
                 FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
             }
-            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => {
-                return from_truth(work, truth, streams, draws);
-            }
+            Work::Exact | Work::ClosedForm => return from_truth(work, truth, streams, draws),
+            Work::Chromatic(_) | Work::Samples(..) => return,
         };
         draws.put(row, path.t, path.weight, path.collisions);
     }

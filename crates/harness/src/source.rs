@@ -7,6 +7,7 @@ use std::{fmt, io};
 
 mod npy;
 mod raw;
+pub mod samples;
 mod stored;
 mod vol;
 
@@ -89,21 +90,21 @@ fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use freepath_estimators::medium::voxel_grid::{Filter, Grid, Rescale};
     use freepath_estimators::{Extinction, Majorants, Medium, quadrature};
     use std::sync::Arc;
 
     /// A file in the folder for temporary files, removed when done.
-    struct Temporary(PathBuf);
+    pub(crate) struct Temporary(pub(crate) PathBuf);
 
     impl Temporary {
-        fn path(name: &str) -> Self {
+        pub(crate) fn path(name: &str) -> Self {
             let unique = format!("freepath-source-{}-{name}", std::process::id());
             Self(std::env::temp_dir().join(unique))
         }
-        fn holding(name: &str, bytes: &[u8]) -> Self {
+        pub(crate) fn holding(name: &str, bytes: &[u8]) -> Self {
             let file = Self::path(name);
             std::fs::write(&file.0, bytes).unwrap();
             file

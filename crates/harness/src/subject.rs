@@ -2,6 +2,7 @@
 
 use crate::case::{BiasBound, Claim};
 use crate::fault::{Fault, needs_scalar};
+use crate::samples::{SampleKind, SampleSource};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::UNIFORM_BITS;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
@@ -28,6 +29,16 @@ pub enum Work<'a> {
     Transmittance(&'a dyn TransmittanceEstimator),
     /// A chromatic sampler.
     Chromatic(&'a dyn ChromaticSampler),
+    /// Draws that are made elsewhere.
+    Samples(SampleKind, &'a dyn SampleSource),
+}
+
+impl Work<'_> {
+    /// Whether every draw is made already: then the second stage is read, whatever the first gives.
+    #[must_use]
+    pub fn finished(&self) -> bool {
+        matches!(self, Self::Samples(_, source) if source.finished())
+    }
 }
 
 /// Where the draws are made.

@@ -3,10 +3,17 @@
 use crate::{identities, scripted};
 
 mod agree;
+mod anderson_darling;
 mod atom;
+mod berk_jones;
 mod chi_square;
 mod coleman;
+mod cramer_von_mises;
+mod doubt;
+mod family;
+mod grouped;
 mod kolmogorov;
+mod kuiper;
 mod lag;
 mod lookups;
 mod mean;
@@ -15,15 +22,22 @@ mod second_moment;
 mod ties;
 
 pub use agree::{Sample, agree_atom, agree_law, agree_mean};
+pub use anderson_darling::anderson_darling;
 pub use atom::atom;
-pub use chi_square::{chi_square, residuals};
+pub(crate) use atom::nearest;
+pub use berk_jones::{BerkJones, berk_jones};
+pub use chi_square::{chi_square, least_expected, residuals};
 pub use coleman::coleman;
+pub use cramer_von_mises::cramer_von_mises;
+pub use doubt::doubt;
+pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
+pub use kuiper::kuiper;
 pub use lag::{lag, lag_observed};
 pub use lookups::{BlockLookups, lookups};
-pub(crate) use mean::bernstein_width;
-pub use mean::{Interval, MeanClaim, Method, mean};
+pub(crate) use mean::within;
+pub use mean::{Interval, MeanClaim, Method, interval_at, mean, open};
 pub use poisson_count::poisson_count;
 pub use second_moment::second_moment;
 pub use ties::{pair_probability, ties};
@@ -55,11 +69,19 @@ pub const NAMES: &[(&str, &str)] = &[
     ("chi_square_64", chi_square::WORDS),
     ("chi_square_fine", chi_square::WORDS),
     ("kolmogorov", kolmogorov::WORDS),
+    ("anderson_darling", anderson_darling::WORDS),
+    ("cramer_von_mises", cramer_von_mises::WORDS),
+    ("kuiper", kuiper::WORDS),
+    ("berk_jones", berk_jones::WORDS),
     ("coleman", coleman::WORDS),
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),
     ("lag_1", lag::WORDS),
     ("mean", mean::WORDS),
+    (
+        "growth",
+        "While draws double towards a `bias_bound`: the mean or the law against its truth, at all numbers of draws at once (bets, empirical Bernstein and beta-binomial mixtures, or Dvoretzky-Kiefer-Wolfowitz at each look).",
+    ),
     ("second_moment", second_moment::WORDS),
     ("lookups", lookups::WORDS),
     agree::WORDS[0],

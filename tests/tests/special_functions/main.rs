@@ -1,6 +1,8 @@
 //! The special functions against the oracles (ball arithmetic; see the head of each file), at their edges and across
 //! the borders between methods.
 
+mod counts;
+mod distances;
 mod edges;
 mod kolmogorov;
 mod laws;

@@ -129,3 +129,32 @@ fn kolmogorov_smirnov_meets_its_oracle() {
     smirnov.judge(6);
     scipy.judge(59);
 }
+
+#[test]
+fn anderson_darling_meets_its_oracle() {
+    let mut check = Check::new("ad_limit_sf.csv");
+    for row in rows(include_str!("../../oracles/ad_limit_sf.csv")) {
+        check.row(&format!("z {}", row[0]), anderson_darling_sf(number(row[0])), number(row[1]), 1e-10);
+    }
+    check.judge(21);
+}
+
+#[test]
+fn cramer_von_mises_meets_its_oracle() {
+    let mut check = Check::new("cvm_limit_sf.csv");
+    for row in rows(include_str!("../../oracles/cvm_limit_sf.csv")) {
+        check.row(&format!("z {}", row[0]), cramer_von_mises_limit_sf(number(row[0])), number(row[1]), 1e-10);
+    }
+    check.judge(20);
+}
+
+/// The same approximation as scipy's, to scipy's digits.
+#[test]
+fn cramer_von_mises_of_few_draws_meets_its_oracle() {
+    let mut check = Check::new("cvm_finite_n_sf.csv");
+    for row in rows(include_str!("../../oracles/cvm_finite_n_sf.csv")) {
+        let got = cramer_von_mises_sf(count(row[0]), number(row[1]));
+        check.row(&format!("n {} z {}", row[0], row[1]), got, number(row[2]), 1e-10);
+    }
+    check.judge(30);
+}

@@ -1,29 +1,38 @@
 //! `freepath run`: cases in, a line for each subject and a report out.
 
-use crate::args::{Run, When};
+use crate::args::{Output, Run, When};
 use crate::cmd::report;
 use crate::progress::Bar;
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, screen, table};
+use crate::{cases, files, filter, screen, signal, table};
 use freepath_estimators::simd;
 use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
 use freepath_harness::run::{self, Cancelled, Options, Outcome, exit_code, quoted};
 use std::io::{IsTerminal, stderr, stdout};
-use std::process;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
-    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
+    simd::check_environment().map_err(Trouble::unusable)?;
     let cases = prepared(args, color.colors(stderr().is_terminal()))?;
+    judge(&cases, args.seed, repro(args), &args.output, color)
+}
+
+/// Runs `cases`, shows what was found and writes the report.
+pub(crate) fn judge(
+    cases: &[Prepared],
+    seed: u64,
+    repro: String,
+    args: &Output,
+    color: When,
+) -> Result<u8, Trouble> {
     files::open(&args.out)?;
-    let cancelled = cancelled_by_signal()?;
+    let cancelled = signal::cancelled()?;
     let start = Instant::now();
-    let outcome = drawn(args, &cases, &cancelled)?;
+    let outcome = drawn(args, cases, (seed, repro), &cancelled)?;
     let text = freepath_report::json(&outcome.results).map_err(running)?;
     show(args, color, &outcome, &text)?;
     write(args, &outcome, &text, start)?;
@@ -47,37 +56,24 @@ fn prepared(args: &Run, color: bool) -> Result<Vec<Prepared>, Trouble> {
         },
         allow_paths: args.allow_paths,
     };
-    let cases = cases::prepare(&cases::find(&args.paths, &args.out)?, &limits, color)?;
+    let cases = cases::prepare(&cases::find(&args.paths, &args.output.out)?, &limits, color)?;
     match &args.filter {
         Some(text) => filter::keep(cases, text),
         None => Ok(cases),
     }
 }
 
-/// Set by the first Ctrl-C; the second ends the program at once.
-fn cancelled_by_signal() -> Result<Arc<AtomicBool>, Trouble> {
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let flag = cancelled.clone();
-    let stop = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            process::exit(i32::from(Trouble::Interrupted.code()));
-        }
-    };
-    ctrlc::set_handler(stop).map_err(|why| Trouble::Running(format!("cannot heed Ctrl-C: {why}")))?;
-    Ok(cancelled)
-}
-
-fn drawn(args: &Run, cases: &[Prepared], cancelled: &AtomicBool) -> Result<Outcome, Trouble> {
+fn drawn(
+    args: &Output,
+    cases: &[Prepared],
+    (seed, repro): (u64, String),
+    cancelled: &AtomicBool,
+) -> Result<Outcome, Trouble> {
     // Zero threads stand for one per CPU.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
     let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
     let bar = Bar::new(args.quiet);
-    let options = Options {
-        seed: args.seed,
-        cancelled,
-        progress: &|progress, subject| bar.tell(progress, subject),
-        repro: repro(args),
-    };
+    let options = Options { seed, cancelled, progress: &|progress, subject| bar.tell(progress, subject), repro };
     let outcome = pool.install(|| run::run(cases, &options)).map_err(|Cancelled| Trouble::Interrupted)?;
     match cancelled.load(Ordering::Relaxed) {
         true => Err(Trouble::Interrupted),
@@ -96,7 +92,7 @@ fn repro(args: &Run) -> String {
     words.join(" ")
 }
 
-fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
+fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
     if args.json {
         return screen::print(text);
     }
@@ -106,7 +102,7 @@ fn show(args: &Run, color: When, outcome: &Outcome, text: &str) -> Result<(), Tr
 }
 
 /// The page comes last: whoever finds it finds the rest. It is a view of results.json, to the last digit.
-fn write(args: &Run, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
+fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
     let run = freepath_report::run_id(text);
     let timings = Timings {
         run: run.clone(),

@@ -8,6 +8,7 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
     let used = match body {
         Value::Null => json!(name),
         _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
+        _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         body => json!({ name: value(schema, name, body) }),
     };
     match kind {
@@ -31,6 +32,9 @@ fn value(schema: &Value, name: &str, node: &Value) -> Value {
     }
     if let Some((first, body, _)) = variants(schema, node).into_iter().next() {
         return if body.is_null() { json!(first) } else { json!({ first: value(schema, first, body) }) };
+    }
+    if name == "mu" && node["type"] == "string" {
+        return json!("0.5 - 0.1*t"); // a formula, below the majorant of one half
     }
     by_name(name).unwrap_or_else(|| by_type(node))
 }

@@ -4,5 +4,6 @@ mod input;
 mod medium;
 mod output;
 mod reference;
+mod samples;
 mod signals;
 mod support;

@@ -18,7 +18,7 @@ fn every_name_is_listed_with_a_sentence_and_described() {
     let has = |kind: &str, name: &str| listed.iter().any(|entry| entry["kind"] == kind && entry["name"] == name);
     assert!(FreePathSubject::names().iter().all(|name| has("free_path", name)));
     assert!(TransmittanceSubject::names().iter().all(|name| has("transmittance", name)));
-    assert!(ChromaticSubject::NAMES.iter().all(|name| has("chromatic", name)));
+    assert!(ChromaticSubject::names().iter().all(|name| has("chromatic", name)));
     assert!(has("medium", "voxel_grid") && has("fault", "nan_draw") && has("reason", "biased"));
     for entry in &listed {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
@@ -51,12 +51,20 @@ fn every_example_can_be_run() {
     let folder = folder("examples");
     for (i, entry) in listed(&folder).iter().enumerate() {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
-        // A test has no place in a case, and there is no volume to read.
-        if kind == "test" || name == "voxel_grid" {
+        // A test and a check have no place in a case, and there is no volume to read.
+        if ["test", "check"].contains(&kind) || name == "voxel_grid" {
+            continue;
+        }
+        if (kind, name) == ("chromatic", "samples") {
+            let mut case = case(kind, &example(&folder, kind, name));
+            case["subjects"][0]["chromatic"]["samples"]["file"] = json!("table.csv");
+            put(&folder, "cases/table.csv", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n");
+            put(&folder, &format!("cases/{i}.json"), &case.to_string());
             continue;
         }
         put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
+    put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
 }

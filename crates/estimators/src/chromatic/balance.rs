@@ -83,7 +83,10 @@ impl ChromaticSampler for Balance {
 
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
         let q = self.probabilities.all(channels.len());
-        mixture::claims(channels, &q, &|t| 1.0 / mixture::pdf(channels, &q, t))
+        mixture::claims(channels, &q, &|f, t, order| {
+            let pdf = mixture::pdf(channels, &q, t);
+            pdf * mixture::even_power(f / pdf, order)
+        })
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

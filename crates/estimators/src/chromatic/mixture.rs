@@ -126,24 +126,32 @@ pub(super) fn pdf(channels: &[Channel], probability: &[f64], t: f64) -> f64 {
     if outside { 0.0 } else { sum }
 }
 
-/// Claims of a sampler whose second moments are E[w_k^2] = int f_k(t)^2 inverse(t) dt, f_k the contribution; at the
-/// surface the integrand at infinity. Moments that overflow are not claimed.
+/// x^2, x^4 or x^6, for `order` 0, 1 and 2.
+pub(super) fn even_power(x: f64, order: usize) -> f64 {
+    let square = x * x;
+    [square, square * square, square * square * square][order]
+}
+
+/// Claims of a sampler whose even moments are E[w_k^p] = int density(f_k(t), t, p) dt, f_k the contribution; at the
+/// surface the integrand at infinity. They are not claimed if a second moment overflows.
 pub(super) fn claims(
     channels: &[Channel],
     probability: &[f64],
-    inverse: &(dyn Fn(f64) -> f64 + '_),
+    density: &(dyn Fn(f64, f64, usize) -> f64 + '_),
 ) -> ChromaticClaims {
     let scales = channels.iter().flat_map(|c| [1.0, 6.0, 36.0].map(|x| x / sigma(c)));
     let mut breaks: Vec<f64> = scales.collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
-    let square = |channel: &Channel, t: f64| {
+    let at = |channel: &Channel, t: f64, order: usize| {
         let f = contribution(channel, t);
-        if f > 0.0 { f * f * inverse(t) } else { 0.0 }
+        if f > 0.0 { density(f, t, order) } else { 0.0 }
     };
-    let scatter = |c: &Channel| integrate(&|t| square(c, t), 0.0, length(channels), &breaks).value;
-    let finite = |moments: &Vec<f64>| moments.iter().all(|x| x.is_finite());
-    let surface = |c: &Channel| square(c, f64::INFINITY);
+    let scatter = |c: &Channel| {
+        std::array::from_fn(|order| integrate(&|t| at(c, t, order), 0.0, length(channels), &breaks).value)
+    };
+    let finite = |moments: &Vec<[f64; 3]>| moments.iter().all(|x| x[0].is_finite());
+    let surface = |c: &Channel| std::array::from_fn(|order| at(c, f64::INFINITY, order));
     ChromaticClaims {
         mixture: Some(probability.to_vec()),
         scatter_moments: Some(channels.iter().map(scatter).collect()).filter(finite),

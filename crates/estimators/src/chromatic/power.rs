@@ -12,7 +12,7 @@ use crate::random::Streams;
 /// ```text
 /// w_k = f_k(t) u_i / sum_j u_j^2,   u_j = q_j p_j(t),   channel i drawn
 /// p_j = sigma_j exp(-sigma_j t) and f_k = albedo_k p_k scattered;   p_k = f_k = exp(-sigma_k length) at the surface
-/// E[w_k^2] = int f_k^2 sum_j u_j^3 / (sum_j u_j^2)^2 dt
+/// E[w_k^p] = int f_k^p sum_j u_j^(p+1) / (sum_j u_j^2)^p dt
 /// ```
 ///
 /// Target: mean albedo_k (1 - T_k) scattered and T_k at the surface, in each channel k.
@@ -97,12 +97,15 @@ impl ChromaticSampler for Power {
 
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
         let q = self.probabilities.all(channels.len());
-        let inverse = |t: f64| {
+        mixture::claims(channels, &q, &|f, t, order| {
             let scale = mixture::pdf(channels, &q, t);
             let squares = self.sum(channels, t, scale, |x| x * x);
-            self.sum(channels, t, scale, |x| x * x * x) / (squares * squares * scale)
-        };
-        mixture::claims(channels, &q, &inverse)
+            let drawn = |k| {
+                let share = self.share(channels, k, t) / scale;
+                share * mixture::even_power(f / scale * share / squares, order)
+            };
+            scale * (0..channels.len()).map(drawn).sum::<f64>()
+        })
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

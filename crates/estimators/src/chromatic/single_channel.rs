@@ -11,7 +11,7 @@ use crate::random::Streams;
 /// ```text
 /// w_k = f_k(t) / p_i(t),   channel i given, or drawn with probability q_i
 /// p_j = sigma_j exp(-sigma_j t) and f_k = albedo_k p_k scattered;   p_k = f_k = exp(-sigma_k length) at the surface
-/// E[w_k^2] = int f_k^2 sum_i q_i / p_i dt
+/// E[w_k^p] = int f_k^p sum_i q_i / p_i^(p-1) dt
 /// ```
 ///
 /// Target: mean albedo_k (1 - T_k) scattered and T_k at the surface, in each channel k.
@@ -124,11 +124,14 @@ impl ChromaticSampler for SingleChannel {
 
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
         let q = self.mixture(channels.len());
-        let inverse = |t: f64| {
+        mixture::claims(channels, &q, &|f, t, order| {
             let drawn = channels.iter().zip(&q).filter(|&(_, &q)| q > 0.0);
-            drawn.map(|(channel, q)| q / mixture::density(channel, t)).sum()
-        };
-        mixture::claims(channels, &q, &inverse)
+            let one = |(channel, q): (&Channel, &f64)| {
+                let pdf = mixture::density(channel, t);
+                q * pdf * mixture::even_power(f / pdf, order)
+            };
+            drawn.map(one).sum()
+        })
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

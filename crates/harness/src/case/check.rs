@@ -6,6 +6,9 @@ use std::collections::HashSet;
 impl CaseFile {
     /// `why` the case cannot be judged, at `path`.
     pub(super) fn refuse(&self, path: &str, why: impl std::fmt::Display) -> CaseError {
+        if self.checked.is_some() && path.starts_with("subjects") {
+            return CaseError::File(why.to_string()); // no place of this file
+        }
         self.source.diagnose(path, format!("cannot judge the case: {why}")).into()
     }
 
@@ -56,6 +59,12 @@ impl CaseFile {
                 return Err(self.refuse(&format!("{at}without"), why));
             }
             self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
+            if s.chromatic.is_some() && s.bias_bound.or(case.bias_bound).is_some() {
+                let at = if s.bias_bound.is_some() { format!("{at}bias_bound") } else { "bias_bound".into() };
+                let why = "a chromatic subject has many means, which cannot grow towards one bias_bound (state it for free \
+                           paths and transmittances)";
+                return Err(self.refuse(&at, why));
+            }
         }
         Ok(())
     }

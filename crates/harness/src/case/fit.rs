@@ -26,14 +26,14 @@ impl CaseFile {
     pub(super) fn seen(
         &self,
         at: &str,
-        spec: &Subject,
+        (spec, work): (&Subject, Work),
         truth: &Arc<dyn Medium>,
         faults: &[Fault],
     ) -> Result<Arc<dyn Medium>, CaseError> {
-        let needs_bound = match spec.work() {
+        let needs_bound = match work {
             Work::FreePath(sampler) => sampler.claims(truth).bounded,
             Work::Transmittance(estimator) => estimator.claims(truth).bounded,
-            Work::Exact | Work::ClosedForm | Work::Chromatic(_) => false,
+            Work::Exact | Work::ClosedForm | Work::Chromatic(_) | Work::Samples(..) => false,
         };
         let must_bound = needs_bound && !spec.without.contains(&Claim::Bounded);
         let short = truth.majorants().shortfall(&**truth).filter(|_| must_bound);
@@ -57,33 +57,38 @@ impl CaseFile {
         Ok(Arc::new(Under::new(truth.clone(), majorants)))
     }
 
-    /// Kind against medium, and the parameters that only fit some media.
+    /// Kind against medium.
+    pub(super) fn check_kind_fits(&self, at: &str, spec: &Subject, world: &World) -> Result<(), CaseError> {
+        let (kind, _) = spec.kind();
+        let why = match (spec.chromatic.is_some(), world) {
+            (true, World::Chromatic(_)) | (false, World::Grey(_)) => return Ok(()),
+            (true, World::Grey(_)) => {
+                "a chromatic subject needs a medium of channels (the medium `chromatic`)".to_string()
+            }
+            (false, World::Chromatic(_)) => {
+                format!("a {kind} subject needs one extinction (not the medium `chromatic`)")
+            }
+        };
+        Err(self.refuse(&format!("{at}.{kind}"), why))
+    }
+
+    /// The parameters that only fit some media.
     pub(super) fn check_fit(
         &self,
         at: &str,
-        spec: &Subject,
+        (spec, work): (&Subject, Work),
         world: &World,
         seen: Option<&dyn Medium>,
     ) -> Result<(), CaseError> {
         let (kind, estimator) = spec.kind();
-        let path = format!("{at}.{kind}");
-        let refused = |why: ParameterError| self.refuse(&format!("{path}.{estimator}.{}", why.name()), why);
-        match (spec.work(), world, seen) {
+        let refused = |why: ParameterError| self.refuse(&format!("{at}.{kind}.{estimator}.{}", why.name()), why);
+        match (work, world, seen) {
             (Work::Chromatic(sampler), World::Chromatic(medium), _) => {
                 sampler.accepts(&medium.channels()).map_err(refused)
             }
-            (Work::FreePath(sampler), World::Grey(_), Some(seen)) => sampler.accepts(&seen).map_err(refused),
-            (Work::Transmittance(estimator), World::Grey(_), Some(seen)) => {
-                estimator.accepts(&seen).map_err(refused)
-            }
-            (Work::Exact | Work::ClosedForm, World::Grey(_), _) => Ok(()),
-            (Work::Chromatic(_), ..) => {
-                Err(self.refuse(&path, "a chromatic subject needs a medium of channels (the medium `chromatic`)"))
-            }
-            _ => {
-                Err(self
-                    .refuse(&path, format!("a {kind} subject needs one extinction (not the medium `chromatic`)")))
-            }
+            (Work::FreePath(sampler), _, Some(seen)) => sampler.accepts(&seen).map_err(refused),
+            (Work::Transmittance(estimator), _, Some(seen)) => estimator.accepts(&seen).map_err(refused),
+            _ => Ok(()),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What a subject is called, and what it runs.
 
-use super::{FreePathSubject, Subject, TransmittanceSubject};
+use super::samples::Samples;
+use super::{ChromaticSubject, FreePathSubject, Subject, TransmittanceSubject};
+use crate::source::samples::SampleFile;
 use crate::subject::Work;
 use serde_json::Value;
 
@@ -15,14 +17,29 @@ impl Subject {
         }
     }
 
-    pub(super) fn work(&self) -> Work<'_> {
+    /// The file of samples that it is, if it is one.
+    pub(super) fn samples(&self) -> Option<Samples<'_>> {
+        match (&self.free_path, &self.transmittance, &self.chromatic) {
+            (Some(FreePathSubject::Samples(samples)), ..) => Some(Samples::FreePath(samples)),
+            (_, Some(TransmittanceSubject::Samples(samples)), _) => Some(Samples::Transmittance(samples)),
+            (_, _, Some(ChromaticSubject::Samples(samples))) => Some(Samples::Chromatic(samples)),
+            _ => None,
+        }
+    }
+
+    /// What is run; `source` is the open file of one that is a file of samples.
+    pub(super) fn work<'a>(&'a self, source: Option<&'a SampleFile>) -> Work<'a> {
+        use ChromaticSubject as C;
         use FreePathSubject as F;
         use TransmittanceSubject as T;
+        if let (Some(samples), Some(source)) = (self.samples(), source) {
+            return Work::Samples(samples.kind(), source);
+        }
         match (&self.free_path, &self.transmittance, &self.chromatic) {
             (Some(F::Listed(sampler)), ..) => Work::FreePath(&**sampler),
             (_, Some(T::Listed(estimator)), _) => Work::Transmittance(&**estimator),
-            (_, Some(T::ClosedForm), _) => Work::ClosedForm,
-            (_, _, Some(sampler)) => Work::Chromatic(&**sampler),
+            (_, Some(T::ClosedForm(_)), _) => Work::ClosedForm,
+            (_, _, Some(C::Listed(sampler))) => Work::Chromatic(&**sampler),
             _ => Work::Exact,
         }
     }

@@ -5,6 +5,7 @@ use super::surroundings::{Place, Volumes};
 use super::{Case, CaseError, CaseFile, MOST_DRAWS, Subject};
 use crate::agree::Variant;
 use crate::fault::Fault;
+use crate::source::samples::SampleFile;
 use crate::subject::{DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;
@@ -53,6 +54,8 @@ pub struct PreparedSubject {
     pub draws: u64,
     /// The other settings in which it must agree with itself.
     pub variants: Vec<Variant>,
+    /// The file, if it is one of samples.
+    pub source: Option<SampleFile>,
 }
 
 impl PreparedSubject {
@@ -68,6 +71,11 @@ impl PreparedSubject {
         self.spec.kind().1
     }
 
+    /// In how many settings it is drawn.
+    pub(crate) fn settings(&self) -> u64 {
+        1 + self.variants.len() as u64
+    }
+
     /// What is run.
     #[must_use]
     pub fn runnable<'a>(&'a self, world: &'a World, case: &'a Case) -> crate::subject::Subject<'a> {
@@ -76,16 +84,22 @@ impl PreparedSubject {
             (World::Grey(medium), ..) => Scene::Grey { truth: medium, seen: medium },
             (World::Chromatic(medium), ..) => Scene::Chromatic(medium),
         };
+        let work = self.spec.work(self.source.as_ref());
+        let implied = |of: fn(&SampleFile) -> f64| self.source.as_ref().map_or(0.0, of);
+        let bits = self.source.as_ref().map_or(UNIFORM_BITS, SampleFile::resolution_bits);
         crate::subject::Subject {
             key: self.key,
             draws: self.draws,
-            budget: self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
+            budget: match self.source {
+                Some(_) => self.draws, // a file does not grow
+                None => self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
+            },
             bias_bound: self.spec.bias_bound.or(case.bias_bound),
-            tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
-            bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(UNIFORM_BITS),
+            tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or_else(|| implied(SampleFile::tolerance)),
+            bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(bits),
             faults: &self.faults,
             without: &self.spec.without,
-            ..crate::subject::Subject::new(self.spec.work(), scene)
+            ..crate::subject::Subject::new(work, scene)
         }
     }
 }
@@ -109,9 +123,11 @@ impl CaseFile {
     pub fn prepare(&self, limits: &Limits) -> Result<Vec<Prepared>, CaseError> {
         self.check()?;
         let volumes = Volumes::default();
+        let wanted = |i: usize| self.checked.is_none_or(|ray| ray.is_none_or(|ray| ray == i));
+        let numbered = self.case.rays.iter().enumerate().map(|(i, ray)| (Some(i), Some(*ray)));
         let rays: Vec<_> = match self.case.rays.len() {
             0 => vec![(None, None)],
-            _ => self.case.rays.iter().enumerate().map(|(i, ray)| (Some(i), Some(*ray))).collect(),
+            _ => numbered.filter(|(i, _)| i.is_some_and(wanted)).collect(),
         };
         let case = Arc::new(self.case.clone());
         let one = |(number, ray): (Option<usize>, _)| {
@@ -120,7 +136,7 @@ impl CaseFile {
             let at = number.map_or("medium".into(), |i| format!("rays[{i}]"));
             let world = self.world(&place, &at)?;
             let subjects =
-                (0..self.case.subjects.len()).map(|i| self.subject(i, number, &world, limits)).collect();
+                (0..self.case.subjects.len()).map(|i| self.subject(i, number, (&world, &place), limits)).collect();
             let file = self.path.display().to_string();
             Ok(Prepared { file, case: case.clone(), ray: number, world, subjects: all(subjects)? })
         };
@@ -147,38 +163,42 @@ impl CaseFile {
         &self,
         i: usize,
         ray: Option<usize>,
-        world: &World,
+        (world, place): (&World, &Place),
         limits: &Limits,
     ) -> Result<PreparedSubject, CaseError> {
         let (spec, at) = (&self.case.subjects[i], format!("subjects[{i}]"));
+        self.check_kind_fits(&at, spec, world)?;
+        let source = self.source(&at, spec, world, place)?;
+        let work = spec.work(source.as_ref());
         let faults = spec.fault.clone().unwrap_or_default().0;
         let (truth, seen) = match world {
             World::Grey(medium) => {
                 let truth = self.truth(&at, spec, medium)?;
-                (Some(truth.clone()), Some(self.seen(&at, spec, &truth, &faults)?))
+                (Some(truth.clone()), Some(self.seen(&at, (spec, work), &truth, &faults)?))
             }
             World::Chromatic(_) => (None, None),
         };
-        self.check_fit(&at, spec, world, seen.as_deref())?;
-        let variants = self.variants(i, truth.as_ref(), &faults)?;
+        self.check_fit(&at, (spec, work), world, seen.as_deref())?;
+        let variants = self.variants(i, work, truth.as_ref(), &faults)?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
+        let draws = match &source {
+            Some(source) => source.first_rows(),
+            None => self.effort(spec, limits)?,
+        };
+        let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
+        let (spec, key) = (spec.clone(), hash(&canonical));
+        Ok(PreparedSubject { spec, name, truth, seen, faults, key, draws, source, variants })
+    }
+
+    /// Draws of stage 1.
+    fn effort(&self, spec: &Subject, limits: &Limits) -> Result<u64, CaseError> {
         let asked = spec.draws.or(self.case.draws).unwrap_or(DRAWS);
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
         let draws = limits.draws.unwrap_or((asked as f64 * effort).ceil() as u64);
         if draws > MOST_DRAWS {
             return Err(self.refuse("draws", format!("{draws} draws are too many (at most {MOST_DRAWS})")));
         }
-        let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        Ok(PreparedSubject {
-            spec: spec.clone(),
-            name,
-            truth,
-            seen,
-            faults,
-            key: hash(&canonical),
-            draws,
-            variants,
-        })
+        Ok(draws)
     }
 }
 

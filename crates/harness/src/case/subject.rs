@@ -1,5 +1,6 @@
 //! The names of subjects: those of the estimators' lists, and the harness's own.
 
+use super::samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::free_path::AnyFreePath;
 use freepath_estimators::transmittance::AnyTransmittance;
@@ -10,13 +11,29 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// A chromatic sampler.
-pub type ChromaticSubject = AnyChromatic;
-
-/// Nothing but `{}`.
-#[derive(serde::Deserialize)]
+/// Inversion of the optical depth, from the truth: the positive control of the tests.
+///
+/// ```text
+/// t = tau^-1(-ln(1 - u)), infinity beyond the end
+/// ```
+///
+/// Target: the free-path law.
+/// Range:  (0, length), or infinity for an escape; weight 1.
+/// Cost:   no look-up.
+/// Needs:  the optical depth, which only the harness knows.
+#[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Empty {}
+pub struct Exact {}
+
+/// exp(-tau), from the truth, without noise: the positive control of the tests.
+///
+/// Target: mean T, variance 0.
+/// Range:  T alone.
+/// Cost:   no look-up.
+/// Needs:  the optical depth, which only the harness knows.
+#[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClosedForm {}
 
 /// A map that begins with a key already read.
 struct Replay<A> {
@@ -39,14 +56,16 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Replay<A> {
     }
 }
 
-/// A list of the estimators with one name of the harness's own before it.
+/// A list of the estimators with the harness's own names before it.
 macro_rules! with_own {
-    ($(#[$doc:meta])* $Subject:ident, $Own:ident = $own:literal, $List:ident, $what:literal, $about:literal) => {
+    (
+        $(#[$doc:meta])* $Subject:ident = $List:ident, $what:literal,
+        $($(#[$own_doc:meta])* $Own:ident($Body:ident) = $own:literal,)*
+    ) => {
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq)]
         pub enum $Subject {
-            /// The harness's own, from the truth: the positive control of its tests.
-            $Own,
+            $($(#[$own_doc])* $Own($Body),)*
             /// One of the list.
             Listed($List),
         }
@@ -56,7 +75,7 @@ macro_rules! with_own {
             #[must_use]
             pub fn names() -> &'static [&'static str] {
                 static NAMES: std::sync::LazyLock<Vec<&'static str>> =
-                    std::sync::LazyLock::new(|| std::iter::once($own).chain($List::NAMES.iter().copied()).collect());
+                    std::sync::LazyLock::new(|| [$($own,)*].into_iter().chain($List::NAMES.iter().copied()).collect());
                 &NAMES
             }
 
@@ -64,7 +83,7 @@ macro_rules! with_own {
             #[must_use]
             pub fn name(&self) -> &'static str {
                 match self {
-                    Self::$Own => $own,
+                    $(Self::$Own(_) => $own,)*
                     Self::Listed(listed) => listed.name(),
                 }
             }
@@ -80,9 +99,9 @@ macro_rules! with_own {
                     }
                     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<$Subject, A::Error> {
                         let key = map.next_key::<String>()?.ok_or_else(|| A::Error::invalid_length(0, &self))?;
-                        if key == $own {
-                            return map.next_value::<Empty>().map(|_| $Subject::$Own);
-                        }
+                        $(if key == $own {
+                            return map.next_value::<$Body>().map($Subject::$Own);
+                        })*
                         if !$List::NAMES.contains(&key.as_str()) {
                             return Err(A::Error::unknown_variant(&key, $Subject::names()));
                         }
@@ -98,11 +117,11 @@ macro_rules! with_own {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 match self {
                     Self::Listed(listed) => listed.serialize(serializer),
-                    Self::$Own => {
+                    $(Self::$Own(body) => {
                         let mut map = serializer.serialize_map(Some(1))?;
-                        map.serialize_entry($own, &serde_json::Map::new())?;
+                        map.serialize_entry($own, body)?;
                         map.end()
-                    }
+                    })*
                 }
             }
         }
@@ -112,16 +131,16 @@ macro_rules! with_own {
                 stringify!($Subject).into()
             }
             fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-                let listed = generator.subschema_for::<$List>();
-                let own = json_schema!({
-                    "type": "object",
-                    "properties": {
-                        ($own): { "type": "object", "additionalProperties": false, "description": $about },
-                    },
-                    "required": [$own],
-                    "additionalProperties": false,
+                let own = [$(($own, generator.subschema_for::<$Body>()),)*].map(|(name, body)| {
+                    json_schema!({
+                        "type": "object",
+                        "properties": { (name): body },
+                        "required": [name],
+                        "additionalProperties": false,
+                    })
                 });
-                json_schema!({ "anyOf": [own, listed] })
+                let choices: Vec<Schema> = own.into_iter().chain([generator.subschema_for::<$List>()]).collect();
+                json_schema!({ "anyOf": choices })
             }
         }
     };
@@ -129,17 +148,23 @@ macro_rules! with_own {
 
 with_own!(
     /// A free-path sampler: `exact` inverts the optical depth.
-    FreePathSubject, Exact = "exact", AnyFreePath, "a free-path sampler, such as {\"delta_tracking\": {}}",
-    "Inversion of the optical depth, from the truth: the positive control of the tests.\n\n\
-    ```text\nt = tau^-1(-ln(1 - u)), infinity beyond the end\n```\n\n\
-    Target: the free-path law.\nRange:  (0, length), or infinity for an escape; weight 1.\n\
-    Cost:   no look-up.\nNeeds:  the optical depth, which only the harness knows."
+    FreePathSubject = AnyFreePath, "a free-path sampler, such as {\"delta_tracking\": {}}",
+    /// The harness's own, from the truth.
+    Exact(Exact) = "exact",
+    /// Drawn elsewhere.
+    Samples(FreePathSamples) = "samples",
 );
 with_own!(
     /// A transmittance estimator: `closed_form` is exp(-tau).
-    TransmittanceSubject, ClosedForm = "closed_form", AnyTransmittance,
-    "a transmittance estimator, such as {\"ratio_tracking\": {}}",
-    "exp(-tau), from the truth, without noise: the positive control of the tests.\n\n\
-    Target: mean T, variance 0.\nRange:  T alone.\nCost:   no look-up.\n\
-    Needs:  the optical depth, which only the harness knows."
+    TransmittanceSubject = AnyTransmittance, "a transmittance estimator, such as {\"ratio_tracking\": {}}",
+    /// The harness's own, from the truth.
+    ClosedForm(ClosedForm) = "closed_form",
+    /// Drawn elsewhere.
+    Samples(TransmittanceSamples) = "samples",
+);
+with_own!(
+    /// A chromatic sampler.
+    ChromaticSubject = AnyChromatic, "a chromatic sampler, such as {\"balance\": {}}",
+    /// Drawn elsewhere.
+    Samples(ChromaticSamples) = "samples",
 );

@@ -31,12 +31,14 @@ pub(super) struct Place<'a> {
 
 impl Place<'_> {
     /// `file` in the case's folder; a path that leaves the folder needs permission.
-    fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
+    pub(super) fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
         let inside =
             Path::new(file).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
         let path = self.folder.join(file);
-        let real = |path: &Path| std::fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        let stays = inside && real(&path).starts_with(real(self.folder));
+        let here = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
+        let within = |path: PathBuf| std::fs::canonicalize(here).is_ok_and(|folder| path.starts_with(folder));
+        // One that is not there leads nowhere, and whoever opens it says so.
+        let stays = inside && std::fs::canonicalize(&path).map_or(true, within);
         if stays || self.allow_paths {
             return Ok(path);
         }

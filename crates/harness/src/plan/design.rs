@@ -1,4 +1,4 @@
-use super::{LawPlan, MeanPlan};
+use super::{LawPlan, MeanPlan, Subject};
 use crate::evidence::REPORTING_LEVEL;
 use crate::special::normal_quantile;
 use crate::test::larger;
@@ -25,6 +25,13 @@ impl Design {
             () if z <= 0.5 => Self::Hidden,
             () => Self::Unsure,
         }
+    }
+
+    /// What `at` so many draws should be found, if they may grow: unsure if it depends on when they stop.
+    pub(super) fn while_growing(subject: &Subject, at: impl Fn(u64) -> Self) -> Self {
+        let first = at(subject.draws);
+        let last = subject.bias_bound.map_or(first, |_| at(subject.budget));
+        if first == last || first == Self::Seen { first } else { Self::Unsure }
     }
 
     pub(super) fn of_mean(plan: &MeanPlan, draws: u64) -> Self {

@@ -1,6 +1,7 @@
-use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scores, Subject, pair_probability};
+use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scene, Scores, Subject, Work, pair_probability};
 use crate::test::larger;
 use crate::verdict::Reason;
+use freepath_estimators::claims::Survival;
 
 /// The law of the column `t`.
 pub struct LawPlan {
@@ -12,6 +13,8 @@ pub struct LawPlan {
     pub scores: Option<Scores>,
     /// Probability that two draws tie; none if the law has atoms, or no collisions.
     pub pair: Option<f64>,
+    /// Whether the law that the draws should follow has no atom but escape.
+    pub continuous: bool,
     /// Whether (collisions, t) follow Coleman's law; then A = int (mu_bar - mu) is known.
     pub coleman: bool,
     /// What a rejection of the medium's law means.
@@ -22,18 +25,24 @@ impl LawPlan {
     pub(super) fn of(subject: &Subject, truth: &dyn Medium, claims: &FreePathClaims) -> Self {
         let slack = subject.tolerance + truth.tau_error();
         let law = Law::new(truth.length(), slack, |t| libm::exp(-truth.tau(t)));
+        let law = match subject.work {
+            Work::Samples(..) => {
+                let rounding = subject.tolerance * law.steepness(); // each t may be off by that share of it
+                law.loosened(rounding)
+            }
+            _ => law,
+        };
         let own = claims.own_law.as_ref().map(|survival| law.with_survival(subject.tolerance + 1e-9, survival));
         let reason = if own.is_some() { Reason::Biased } else { Reason::WrongLaw };
         let mut plan = Self::with(law, own, subject, reason);
         plan.pair = plan.pair.filter(|_| claims.continuous);
+        plan.continuous = claims.continuous;
         plan.coleman = claims.coleman && subject.claims(Claim::Lookups);
         plan
     }
 
     pub(super) fn of_mixture(subject: &Subject, medium: &ChromaticMedium, mixture: &[f64]) -> Self {
-        let rates: Vec<f64> = medium.channels().iter().map(|channel| channel.extinction.mu(0.0)).collect();
-        let survival = |t: f64| mixture.iter().zip(&rates).map(|(q, mu)| q * libm::exp(-mu * t)).sum::<f64>();
-        let law = Law::new(medium.length(), subject.tolerance, survival);
+        let law = Law::new(medium.length(), subject.tolerance, mixture_survival(medium, mixture.to_vec()));
         Self::with(law, None, subject, Reason::WrongLaw)
     }
 
@@ -43,7 +52,7 @@ impl LawPlan {
         let scores = independent.then(|| Scores::new(followed));
         let pair =
             independent.then(|| pair_probability(followed, subject.bits)).filter(|_| followed.collided() > 0.0);
-        Self { scores, pair, truth, own, coleman: false, reason }
+        Self { scores, pair, truth, own, continuous: true, coleman: false, reason }
     }
 
     /// sup |F_own - F| over the edges, 0 if the law is the medium's.
@@ -53,4 +62,32 @@ impl LawPlan {
         let gaps = (0..=own.cells()).map(|k| (own.survival(k) - self.truth.survival(k)).abs());
         gaps.fold(0.0, larger)
     }
+}
+
+/// P(t > x) at any x: of the medium's law, and of the law that the method has by design, if that is another.
+pub(crate) struct Survivals<'a> {
+    pub(crate) truth: Survival<'a>,
+    pub(crate) own: Option<Survival<'a>>,
+}
+
+impl<'a> Survivals<'a> {
+    /// Those that stand behind the laws of the plan of `subject`; none if it has no law.
+    pub(crate) fn of(subject: &Subject<'a>) -> Option<Self> {
+        match (subject.work, subject.scene) {
+            (work, Scene::Grey { truth, .. }) => {
+                let own = if let Work::FreePath(sampler) = work { sampler.claims(truth).own_law } else { None };
+                Some(Self { truth: Box::new(|t| libm::exp(-truth.tau(t))), own })
+            }
+            (Work::Chromatic(sampler), Scene::Chromatic(medium)) => {
+                let mixture = sampler.claims(&medium.channels()).mixture?;
+                Some(Self { truth: Box::new(mixture_survival(medium, mixture)), own: None })
+            }
+            _ => None,
+        }
+    }
+}
+
+fn mixture_survival(medium: &ChromaticMedium, mixture: Vec<f64>) -> impl Fn(f64) -> f64 + Send + Sync + use<> {
+    let rates: Vec<f64> = medium.channels().iter().map(|channel| channel.extinction.mu(0.0)).collect();
+    move |t| mixture.iter().zip(&rates).map(|(q, mu)| q * libm::exp(-mu * t)).sum()
 }

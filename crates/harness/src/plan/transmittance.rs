@@ -1,4 +1,4 @@
-use super::{Claim, MeanClaim, Medium, Subject, TransmittanceClaims, spread};
+use super::{Bets, Claim, MeanClaim, Medium, Subject, TransmittanceClaims, spread};
 
 /// The mean of the column `weight`.
 pub struct MeanPlan {
@@ -25,6 +25,13 @@ impl MeanPlan {
         let own = |expected| MeanClaim { expected, slack: subject.tolerance + 1e-10 * transmittance, ..claim };
         let second = claims.moments.filter(|_| !claims.binary && subject.claims(Claim::SecondMoment));
         Self { truth: claim, own: claims.own_mean.map(own), moments: second }
+    }
+
+    /// What is bet on the draws of stage 1 if a bound on the bias is asked for: none on draws of 0 and 1, or of no known range.
+    pub(super) fn bets(&self, subject: &Subject) -> Option<Bets> {
+        let MeanClaim { expected, slack, binary, range, variance, .. } = self.truth;
+        let bound = subject.bias_bound?.of(expected) - slack;
+        Some(Bets::new(expected, slack, range?, variance, bound)).filter(|_| !binary)
     }
 
     /// own mean - T, 0 if the mean is T.

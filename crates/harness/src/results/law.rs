@@ -1,3 +1,4 @@
+use super::Grown;
 use crate::real::Real;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +13,9 @@ pub struct LawResult {
     pub detectable: Real,
     /// The probability of escape.
     pub atom: Atom,
+    /// How draws grew towards a bound, if the case asks for one; `bound` is then the one that was reached.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub grown: Option<Grown>,
 }
 
 /// The escape atom.

@@ -1,3 +1,4 @@
+use super::Grown;
 use crate::real::Real;
 use serde::{Deserialize, Serialize};
 
@@ -30,6 +31,9 @@ pub struct MeanResult {
     pub skewness: Real,
     /// How the interval was made: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein` or `exact`.
     pub method: String,
+    /// How draws grew towards a bound, if the case asks for one; `bound` is then the one that was reached.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub grown: Option<Grown>,
 }
 
 /// One channel of a chromatic sampler: the weighted mean of one event.

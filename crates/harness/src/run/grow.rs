@@ -1,17 +1,33 @@
+//! Draws double until the bias is bounded as the case asks, the subject is rejected, or the budget ends.
+//!
+//! The error of growth is part of the run's. What a sequence says against a bias of 0 becomes a p-value that holds at every
+//! number of draws, p = 1 / max e, and enters Holm's procedure of stage 1 beside all others. If it is at most the stage's
+//! error, stage 2 grows fresh draws, up to twice as many, and their p-value enters Holm's procedure of stage 2. So growth
+//! spends no error of its own: a failure needs both stages at 1e-3, and a run's false alarms stay at 1e-6. The other tests
+//! are read once, at the case's draws. A finished file has no more draws: it is looked at once in each stage. A bound is stated at the reporting level; the level of a mean of known range is split
+//! between its bets and its interval.
+
 use super::Cancelled;
-use crate::case::BiasBound;
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::evidence::{Fact, REPORTING_LEVEL};
+use crate::evidence::{Evidence, Fact};
 use crate::judge::{Judged, judge};
-use crate::plan::{MeanPlan, Plan};
-use crate::special::clopper_pearson;
+use crate::plan::Plan;
+use crate::real::Real;
+use crate::results::{Grown, GrownOutcome};
 use crate::subject::{BLOCK, Subject};
-use crate::tally::PowerSums;
-use crate::test::bernstein_width;
 use crate::verdict::Reason;
+
+mod question;
+
+use question::{Look, Question};
 
 /// Blocks of growth are numbered from here, beyond those of both stages.
 const FIRST_BLOCK: u64 = 1 << 40;
+/// Those of growth in stage 2.
+const FIRST_BLOCK_OF_STAGE_TWO: u64 = 1 << 41;
+
+/// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
+const REJECTED: f64 = 1e-8;
 
 /// What growth needs beside the subject.
 pub(super) struct Growth<'a> {
@@ -23,70 +39,129 @@ pub(super) struct Growth<'a> {
     pub(super) planned: &'a dyn Fn(u64),
 }
 
+/// How growing went on.
+enum Next {
+    Draws(Collected),
+    Broken,
+}
+
 impl Growth<'_> {
-    /// Doubles the draws until the bias is bounded as the case asks, or the budget ends.
-    ///
-    /// The bound at doubling k is taken at level a / (k (k + 1)), which sums to a over all k: a confidence sequence at the
-    /// doublings. It needs draws that are 0/1 or of known range. Tests are read once, at the case's draws, and are not touched; a fact
-    /// counts whenever it is seen.
+    /// Grows the draws of stage 1 if the case asks for a bound: what was reached, with evidence, facts and gates in `judged`.
     pub(super) fn towards_bound(
         &self,
         subject: &Subject,
-        plan: &Plan,
+        plan: &mut Plan,
         first: &Collected,
         judged: &mut Judged,
-    ) -> Result<(), Cancelled> {
-        let (Some(bound), Some(mean), Some(sums)) =
-            (subject.bias_bound.filter(|_| plan.known), &plan.mean, first.mean)
-        else {
-            return Ok(());
-        };
-        let target = match bound {
-            BiasBound::Absolute(x) => x,
-            BiasBound::Relative(x) => x * mean.truth.expected,
-        };
-        let (mut sums, mut doublings, mut at) = (sums, 1, FIRST_BLOCK);
+    ) -> Result<Option<Grown>, Cancelled> {
+        let Some(mut question) = Question::of(subject, plan) else { return Ok(None) };
+        let (mut seen, mut at) = (first.clone(), FIRST_BLOCK);
         loop {
-            let Some(reached) = bias_bound(mean, &sums, doublings) else {
-                let why = "the bound that was asked for needs draws of known range".into();
-                judged.gates.push((Reason::NotEnoughDraws, why));
-                return Ok(());
+            let look = question.look(plan, &seen);
+            let outcome = match () {
+                () if rejected_already(judged) || !(look.p > REJECTED) => GrownOutcome::Rejected,
+                () if look.bound <= question.target() => GrownOutcome::Proven,
+                () if 2 * seen.draws > subject.budget || subject.work.finished() => GrownOutcome::BudgetEnded,
+                () => {
+                    let blocks = Subject::blocks(seen.draws);
+                    question.bet(plan, &seen);
+                    match self.more(subject, plan, at..at + blocks, judged)? {
+                        Next::Draws(more) => seen.merge(more),
+                        Next::Broken => return Ok(None),
+                    }
+                    at += blocks;
+                    continue;
+                }
             };
-            if reached <= target {
-                return Ok(());
+            return Ok(Some(close(outcome, &look, &question, seen.draws, judged)));
+        }
+    }
+
+    /// Grows the draws of stage 2, up to `most`, until they reject a bias of 0 too: the evidence of stage 2. The draws taken.
+    pub(super) fn confirm(
+        &self,
+        subject: &Subject,
+        plan: &mut Plan,
+        second: Collected,
+        most: u64,
+        judged: &mut Judged,
+    ) -> Result<u64, Cancelled> {
+        let (mut seen, mut at) = (second, FIRST_BLOCK_OF_STAGE_TWO);
+        let Some(mut question) = Question::of(subject, plan) else { return Ok(seen.draws) };
+        loop {
+            let look = question.look(plan, &seen);
+            let fresh = if subject.work.finished() { 0 } else { most.saturating_sub(seen.draws) };
+            let left = Subject::blocks(fresh);
+            if !(look.p > REJECTED) || left == 0 {
+                judged.evidence.push(look.evidence(&question, seen.draws));
+                return Ok(seen.draws);
             }
-            if 2 * sums.n > subject.budget {
-                let why = format!("|bias| <= {reached:.2e} after {} draws; {target:.2e} was asked for", sums.n);
-                judged.gates.push((Reason::NotEnoughDraws, why));
-                return Ok(());
+            let double = Subject::blocks(seen.draws);
+            let blocks = if left < double { left } else { double };
+            question.bet(plan, &seen);
+            match self.more(subject, plan, at..at + blocks, judged)? {
+                Next::Draws(more) => seen.merge(more),
+                Next::Broken => return Ok(seen.draws),
             }
-            let blocks = Subject::blocks(sums.n);
-            (self.planned)(blocks * BLOCK as u64);
-            match collect(subject, plan, self.seed, at..at + blocks, self.watch) {
-                Ok(more) => {
-                    judged.facts.extend(judge(subject, plan, &more).facts);
-                    more.mean.iter().for_each(|more| sums.merge(more));
-                }
-                Err(Stopped::Cancelled) => return Err(Cancelled),
-                Err(Stopped::Subject(why)) => {
-                    judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
-                    return Ok(());
-                }
+            at += blocks;
+        }
+    }
+
+    /// The draws of more blocks. A fact in them counts as any other.
+    fn more(
+        &self,
+        subject: &Subject,
+        plan: &Plan,
+        blocks: std::ops::Range<u64>,
+        judged: &mut Judged,
+    ) -> Result<Next, Cancelled> {
+        (self.planned)((blocks.end - blocks.start) * BLOCK as u64);
+        match collect(subject, plan, self.seed, blocks, self.watch) {
+            Ok(more) => {
+                judged.facts.extend(judge(subject, plan, &more).facts);
+                Ok(Next::Draws(more))
             }
-            (at, doublings) = (at + blocks, doublings + 1);
+            Err(Stopped::Cancelled) => Err(Cancelled),
+            Err(Stopped::Subject(why)) => {
+                judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
+                Ok(Next::Broken)
+            }
         }
     }
 }
 
-/// The largest |bias| that the draws allow at the level of this doubling.
-fn bias_bound(plan: &MeanPlan, sums: &PowerSums, doubling: u32) -> Option<f64> {
-    let level = REPORTING_LEVEL / f64::from(doubling * (doubling + 1));
-    let bias = sums.bias();
-    if plan.truth.binary && sums.zeros + sums.ones == sums.n {
-        let (low, high) = clopper_pearson(sums.n, sums.ones, level);
-        let (below, above) = (plan.truth.expected - low, high - plan.truth.expected);
-        return Some(if below > above { below } else { above });
+/// The outcome after the decision: what both stages reject by the draws of growth is rejected, wherever they ended.
+pub(super) fn settled(grown: Grown, rejections: usize) -> Grown {
+    if rejections < 2 || grown.outcome == GrownOutcome::Rejected {
+        return grown;
     }
-    let range = plan.truth.range.filter(|&(low, high)| sums.least >= low && sums.greatest <= high)?;
-    Some(bias.abs() + bernstein_width(sums, range, level))
+    let note = format!("rejected after {} draws, and confirmed", grown.draws);
+    Grown { outcome: GrownOutcome::Rejected, note, ..grown }
+}
+
+/// Whether a fact, or a test of stage 1, has rejected the subject beyond doubt.
+fn rejected_already(judged: &Judged) -> bool {
+    let beyond = |evidence: &Evidence| evidence.judged_p().is_some_and(|p| !(p > REJECTED));
+    !judged.facts.is_empty() || judged.evidence.iter().any(beyond)
+}
+
+/// Notes the outcome in `judged`: its evidence, and a gate if the bound is not proven.
+fn close(outcome: GrownOutcome, look: &Look, question: &Question, draws: u64, judged: &mut Judged) -> Grown {
+    let (target, bound) = (question.asked(), question.with_slack(look.bound));
+    let after = format!("{} <= {bound:.2e} after {draws} draws, {target:.2e} was asked for", question.what());
+    let note = match outcome {
+        GrownOutcome::Proven => format!("proven: {after}"),
+        GrownOutcome::Rejected => format!("rejected after {draws} draws"),
+        GrownOutcome::BudgetEnded => format!("the budget ended: {after}"),
+    };
+    let gate = match (outcome, &look.trouble) {
+        (GrownOutcome::Proven, _) => None,
+        (GrownOutcome::Rejected, _) => Some((Reason::NotEnoughDraws, format!("growth: {note}, not confirmed"))),
+        (GrownOutcome::BudgetEnded, None) => Some((Reason::NotEnoughDraws, format!("growth: {note}"))),
+        (GrownOutcome::BudgetEnded, Some((reason, why))) => Some((*reason, format!("growth: {note}; {why}"))),
+    };
+    judged.gates.extend(gate);
+    judged.evidence.push(look.evidence(question, draws));
+    let method = look.method.to_string();
+    Grown { draws, outcome, target: Real(target), bound: Real(bound), p: Real(look.p), method, note }
 }

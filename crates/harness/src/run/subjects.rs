@@ -1,5 +1,7 @@
 //! The result of one subject.
 
+use super::efficiency::efficiency;
+use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
@@ -8,9 +10,10 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, Efficiency, FactResult, LawResult, MeanResult, OrderResult, Series,
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
     SubjectResult, TestResult,
 };
+use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, larger, mean};
@@ -25,15 +28,15 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let (seen, id) = (trial.first.collected.as_ref(), id(case, prepared));
-    let (expected, by_design, as_expected) =
-        expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, &decision);
+    let seen = trial.first.collected.as_ref();
+    let (expected, by_design, as_expected) = expectation(trial, &decision);
+    let grown = grown(trial, first, second);
     let known = seen.filter(|_| plan.known);
     let mean = plan.mean.as_ref().zip(known.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(known.and_then(|seen| seen.counts.cells.as_ref()));
     SubjectResult {
-        repro: repro(case, &id, options),
-        id,
+        repro: repro(case, &id(case, prepared), options),
+        id: id(case, prepared),
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
@@ -51,19 +54,36 @@ pub(super) fn result(
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
+        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
-        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums)),
-        law: cells.map(|(plan, cells)| law_result(plan, cells)),
+        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
+        law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
-        tests: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(tests).collect(),
-        facts: [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten().flat_map(facts).collect(),
+        tests: stages(first, second).flat_map(tests).collect(),
+        facts: stages(first, second).flat_map(facts).collect(),
         series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
-        efficiency: mean.map(|(plan, sums)| efficiency(plan, &sums, trial)),
+        efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
+}
+
+fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+    let Trial { prepared, plan, .. } = trial;
+    expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
+}
+
+/// How growth ended, after the decision.
+fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
+    let rejections = stages(first, second).flat_map(tests);
+    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
+    trial.first.grown.clone().map(|grown| settled(grown, rejections))
+}
+
+fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
+    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// The series of a law.
@@ -103,7 +123,11 @@ pub fn quoted(text: &str) -> String {
 }
 
 fn repro(case: &Prepared, id: &str, options: &Options) -> String {
-    let flags = options.repro.rfind(" --seed ").map_or("", |at| &options.repro[at..]);
+    let flags = match options.repro.rfind(" --seed ") {
+        Some(at) => &options.repro[at..],
+        None if options.repro.is_empty() => "",
+        None => return options.repro.clone(), // nothing is drawn: the command is about this subject alone
+    };
     format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
 }
 
@@ -145,9 +169,14 @@ fn audit(seen: &Collected) -> AuditResult {
     }
 }
 
-fn mean_result(plan: &MeanPlan, sums: &PowerSums) -> MeanResult {
+fn mean_result(plan: &MeanPlan, sums: &PowerSums, grown: Option<&Grown>) -> MeanResult {
     let (_, interval) = mean("mean", sums, &plan.truth, Reason::Biased);
-    MeanResult { own: plan.own.map(|own| Real(own.expected)), ..with_interval(&plan.truth, sums, &interval) }
+    MeanResult {
+        own: plan.own.map(|own| Real(own.expected)),
+        bound: grown.map_or(Real(interval.bound()), |grown| grown.bound),
+        grown: grown.cloned(),
+        ..with_interval(&plan.truth, sums, &interval)
+    }
 }
 
 fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
@@ -164,12 +193,13 @@ fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> Me
         variance_expected: claim.variance.map(Real),
         skewness: Real(sums.skewness()),
         method: interval.method.name().into(),
+        grown: None,
     }
 }
 
 fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelResult> {
     let all = claims.iter().zip(seen.iter().flat_map(|seen| &seen.channels));
-    let one = |(claim, (sums, _)): (&ChannelClaim, &(PowerSums, PowerSums))| {
+    let one = |(claim, sums): (&ChannelClaim, &PowerSums)| {
         let event = match claim.event {
             Event::Scatter => "scatter",
             Event::Surface => "surface",
@@ -183,7 +213,7 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
 }
 
 /// sup |F_n - F| over the edges of the cells, and over all t at the most.
-fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
+pub(super) fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     let n = tally.draws() as f64;
     let (mut below, mut edges, mut all) = (0, 0.0, 0.0);
     for (k, count) in tally.cells.iter().enumerate() {
@@ -196,7 +226,7 @@ fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
     (edges, all)
 }
 
-fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
+fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawResult {
     let (n, law) = (tally.draws(), &plan.truth);
     let (distance, hidden) = distances(law, tally);
     let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
@@ -204,7 +234,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
     let band = series::band(n);
     LawResult {
         distance: Real(distance),
-        bound: Real(hidden + band),
+        bound: grown.map_or(Real(hidden + band), |grown| grown.bound),
         detectable: Real(band + power),
         atom: Atom {
             expected: Real(law.atom()),
@@ -212,34 +242,7 @@ fn law_result(plan: &LawPlan, tally: &CellTally) -> LawResult {
             low: Real(low),
             high: Real(high),
         },
-    }
-}
-
-/// Relative variance with a 95 % interval from the kurtosis: var(ln V) = (kurtosis - 1) / n.
-fn efficiency(plan: &MeanPlan, sums: &PowerSums, trial: &Trial) -> Efficiency {
-    let (n, t) = (sums.n as f64, plan.truth.expected);
-    let bias = plan.design_bias();
-    let variance = (sums.variance() + bias * bias) / (t * t);
-    let spread = ((sums.kurtosis() - 1.0) / n).sqrt();
-    // draws that are all 0 because none has hit are not exact
-    let exact = plan.own.is_none() && sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
-    let refusal = match () {
-        () if plan.own.is_some() => "biased by design: mean squared error, not ranked",
-        () if exact => "zero variance: exact",
-        () if trial.first.judged.gates.iter().any(|gate| gate.0 == Reason::RareEvent) => {
-            "dominated by rare events"
-        }
-        () if !(spread <= 0.1) => "the fourth moment is too large for an interval",
-        () => "",
-    };
-    let factor = libm::exp(1.96 * spread);
-    Efficiency {
-        relative_variance: Real(variance),
-        low: Real(variance / factor),
-        high: Real(variance * factor),
-        exact,
-        ranked: refusal.is_empty(),
-        refusal: refusal.into(),
+        grown: grown.cloned(),
     }
 }
 

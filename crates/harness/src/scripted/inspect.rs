@@ -12,6 +12,7 @@ pub(super) fn draws(work: Work, plan: &Plan, length: f64, draws: &Draws) -> Opti
             let weights = || draws.channels.iter().find_map(|column| finite(column[row]));
             path(draws.t[row], length).or_else(weights)
         }
+        Work::Samples(..) => None, // drawn elsewhere: no script reaches it
     })
 }
 

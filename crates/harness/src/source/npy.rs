@@ -4,7 +4,7 @@ mod header;
 
 use super::Refusal;
 use super::stored::Stored;
-use header::Header;
+pub(super) use header::Header;
 use std::io::Read;
 
 /// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.

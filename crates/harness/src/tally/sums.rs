@@ -11,6 +11,8 @@ pub struct PowerSums {
     pub n: u64,
     /// Sums of (x - center)^k, k = 1 to 4.
     pub sums: [f64; 4],
+    /// The sum of |x|.
+    pub absolute: f64,
     /// Least draw.
     pub least: f64,
     /// Greatest draw.
@@ -21,6 +23,8 @@ pub struct PowerSums {
     pub ones: u64,
     /// NaN and infinite draws, left out of everything else.
     pub non_finite: u64,
+    /// Pareto shape of the largest |x|, where it was fitted ([`Tail::shape`](super::Tail::shape)); lost in a merge.
+    pub shape: Option<f64>,
 }
 
 /// A variance whose 3/2 power is far from underflow.
@@ -31,7 +35,8 @@ impl PowerSums {
     #[must_use]
     pub fn new(center: f64) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { center, n: 0, sums: [0.0; 4], least, greatest, zeros: 0, ones: 0, non_finite: 0 }
+        let (sums, absolute, shape) = ([0.0; 4], 0.0, None);
+        Self { center, n: 0, sums, absolute, least, greatest, zeros: 0, ones: 0, non_finite: 0, shape }
     }
 
     /// The sums of one column: always in the same order of additions.
@@ -52,11 +57,13 @@ impl PowerSums {
     #[inline(always)]
     fn of_part(center: f64, part: &[f64]) -> Self {
         let (mut powers, mut total) = ([[0.0; 256]; 4], Self::new(center));
+        let mut absolute = [0.0; 256];
         for (i, &x) in part.iter().enumerate() {
             let finite = x.is_finite();
             let y = if finite { x - center } else { 0.0 };
             (powers[0][i], powers[1][i]) = (y, y * y);
             (powers[2][i], powers[3][i]) = (y * y * y, y * y * (y * y));
+            absolute[i] = if finite { x.abs() } else { 0.0 };
             total.least = if finite && x < total.least { x } else { total.least };
             total.greatest = if finite && x > total.greatest { x } else { total.greatest };
             total.n += u64::from(finite);
@@ -66,6 +73,7 @@ impl PowerSums {
         for (sum, powers) in total.sums.iter_mut().zip(&powers) {
             *sum = math::sum(powers);
         }
+        total.absolute = math::sum(&absolute);
         total.non_finite = part.len() as u64 - total.n;
         total
     }
@@ -76,6 +84,8 @@ impl PowerSums {
         for (a, b) in self.sums.iter_mut().zip(&next.sums) {
             *a += b;
         }
+        self.absolute += next.absolute;
+        self.shape = None;
         self.least = if next.least < self.least { next.least } else { self.least };
         self.greatest = if next.greatest > self.greatest { next.greatest } else { self.greatest };
         self.n += next.n;
@@ -117,6 +127,25 @@ impl PowerSums {
         let [_, s2, s3, s4] = self.sums.map(|s| s / n);
         let m4 = s4 - 4.0 * b * s3 + 6.0 * b * b * s2 - 3.0 * b * b * b * b;
         if v > 0.0 { m4 / (v * v) } else { 0.0 }
+    }
+
+    /// The share of the sum of |x| that the largest |x| carries; 0 if all are 0.
+    #[must_use]
+    pub fn largest_share(&self) -> f64 {
+        let (low, high) = (self.least.abs(), self.greatest.abs());
+        let largest = if low > high { low } else { high };
+        if largest == 0.0 { 0.0 } else { largest / self.absolute }
+    }
+
+    /// The relative variance of the variance of the mean, as MCNP and Geant4 have it; 0 if nothing varies.
+    ///
+    /// ```text
+    /// sum (x - mean)^4 / (sum (x - mean)^2)^2 - 1 / n
+    /// ```
+    #[must_use]
+    pub fn variance_of_variance(&self) -> f64 {
+        let kurtosis = self.kurtosis();
+        if kurtosis == 0.0 { 0.0 } else { (kurtosis - 1.0) / self.n as f64 }
     }
 
     /// Every draw is the same.

@@ -1,5 +1,5 @@
-use crate::evidence::Evidence;
-use crate::special::binomial_two_sided;
+use crate::evidence::{Evidence, Null};
+use crate::special::{binomial_cdf, binomial_two_sided};
 use crate::verdict::Reason;
 
 pub(super) const WORDS: &str = "The number of escapes is binomial with the transmittance as its probability: exact, two-sided by doubling \
@@ -16,7 +16,14 @@ pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evid
     let null = nearest(share, atom, slack);
     let z = standardised(share - atom, (atom * (1.0 - atom) / n as f64).sqrt());
     Evidence::new("atom", z, None, binomial_two_sided(n, null, escapes), reason)
+        .under(binomial_null(n, atom, escapes))
         .noted(format!("{share:.6} of the draws escape, {atom:.6} should"))
+}
+
+/// The binomial law at the count that was seen, whatever slack widens the null.
+pub(super) fn binomial_null(n: u64, p: f64, k: u64) -> Null {
+    let below = if k == 0 { 0.0 } else { binomial_cdf(n, p, k - 1) };
+    Null::Discrete { below, up_to: binomial_cdf(n, p, k) }
 }
 
 /// difference / error, 0 if there is no difference: 0 / 0 where nothing varies.
@@ -25,7 +32,7 @@ pub(super) fn standardised(difference: f64, error: f64) -> f64 {
 }
 
 /// The value of [expected - slack, expected + slack] nearest to `seen`, within [0, 1] if that can be a probability.
-pub(super) fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
+pub(crate) fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
     let (low, high) = (expected - slack, expected + slack);
     match () {
         () if seen < low => low,

@@ -1,4 +1,4 @@
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::ks_two_sided;
 use crate::tally::CellTally;
@@ -23,7 +23,8 @@ pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let slack = 2.0 * law.slack() / law.collided(); // of F(t) and of F(length)
     let d = if low > slack { low - slack } else { 0.0 };
     let p = if low.is_nan() { f64::NAN } else { ks_two_sided(m, d) };
-    Evidence::new("kolmogorov", low, None, p, reason).noted(format!("D between {low:.3e} and {high:.3e}"))
+    let evidence = Evidence::new("kolmogorov", low, None, p, reason).under(Null::Conservative);
+    evidence.noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 
 /// The larger, or NaN if either is.

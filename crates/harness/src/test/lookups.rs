@@ -1,5 +1,5 @@
 use super::chi_square::lessened;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::special::student_t_two_sided;
 use crate::verdict::Reason;
 
@@ -60,7 +60,7 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> E
     let largest = 1.0 + (if mean > want { mean } else { want }) / rows as f64;
     let scatter = seen.squares * u128::from(seen.blocks) - seen.sum * seen.sum;
     if scatter == 0 && (excess == 0.0 || seen.steady(rows)) {
-        return evidence(excess, None, libm::exp(-blocks * excess.abs() / largest));
+        return evidence(excess, None, libm::exp(-blocks * excess.abs() / largest)).under(Null::Conservative);
     }
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
     if seen.blocks < FEWEST_BLOCKS || !(blocks * variance >= 400.0 * largest * largest) {

@@ -1,15 +1,16 @@
-use super::atom::{nearest, standardised};
+use super::atom::{binomial_null, nearest, standardised};
 use super::chi_square::lessened;
+use super::doubt::{doubt, withheld};
 use super::kolmogorov::larger;
-use crate::evidence::{Evidence, POWER, REPORTING_LEVEL};
+use crate::evidence::{Evidence, Null, POWER, REPORTING_LEVEL};
 use crate::special::{
     binomial_two_sided, clopper_pearson, normal_quantile, normal_two_sided, student_t_two_sided,
 };
 use crate::tally::PowerSums;
 use crate::verdict::Reason;
 
-pub(super) const WORDS: &str = "The mean against its truth: exact binomial for 0/1; Student's t where skewness allows it, Hall's skewness-corrected \
-statistic where it allows that; empirical Bernstein for bounded draws; otherwise no p-value.";
+pub(super) const WORDS: &str = "The mean against its truth: exact binomial for 0/1; Student's t where skewness, tail and hits allow it, Hall's \
+skewness-corrected statistic where they allow that; empirical Bernstein for bounded draws; otherwise no p-value.";
 
 /// What is claimed of a mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,30 +89,41 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     let method = method(sums, claim);
     let excess = excess(sums, claim);
     let (n, error) = (sums.n as f64, (sums.variance() / sums.n as f64).sqrt());
-    let t = standardised(excess, error);
+    let (t, null) = (standardised(excess, error), Null::lessened(slack(claim), error));
     let evidence = |statistic, dof, p| Evidence::new(name, statistic, dof, p, reason);
     let evidence = match method {
         Method::Binomial => {
             let null = nearest(sums.ones as f64 / n, claim.expected, claim.slack);
-            evidence(bias(sums, claim), None, binomial_two_sided(sums.n, null, sums.ones))
+            let p = binomial_two_sided(sums.n, null, sums.ones);
+            evidence(bias(sums, claim), None, p).under(binomial_null(sums.n, claim.expected, sums.ones))
         }
         Method::Exact => {
             let same = excess.abs() <= 0.0;
-            evidence(excess, None, f64::from(u8::from(same)))
+            evidence(excess, None, f64::from(u8::from(same))).under(Null::Conservative)
         }
-        Method::StudentT => evidence(t, Some(n - 1.0), student_t_two_sided(n - 1.0, t)),
-        Method::SkewnessCorrected => evidence(t, None, corrected_p(t, sums.skewness(), n)),
-        Method::EmpiricalBernstein => evidence(excess, None, bernstein_p(sums, claim, excess)),
+        Method::StudentT => evidence(t, Some(n - 1.0), student_t_two_sided(n - 1.0, t)).under(null),
+        Method::SkewnessCorrected => evidence(t, None, corrected_p(t, sums.skewness(), n)).under(null),
+        Method::EmpiricalBernstein => {
+            evidence(excess, None, bernstein_p(sums, claim, excess)).under(Null::Conservative)
+        }
         Method::None => {
-            let why = format!(
-                "skewness {:.3e} is too large for {} draws, and no range is known",
-                skewness(sums, claim),
-                sums.n
-            );
+            let why = withheld(sums, claim, skewness(sums, claim)).1;
             Evidence::withheld(name, t, reason, why)
         }
     };
-    (evidence.noted_if_empty(&words(sums, claim, method)), interval(sums, claim, method))
+    (evidence.noted_if_empty(&words(sums, claim, method)), interval(sums, claim, method, REPORTING_LEVEL))
+}
+
+/// Why the mean has no p-value.
+#[must_use]
+pub fn open(sums: &PowerSums, claim: &MeanClaim) -> (Reason, String) {
+    withheld(sums, claim, skewness(sums, claim))
+}
+
+/// An interval for the bias at confidence 1 - `level`, by the method that [`mean`] takes.
+#[must_use]
+pub fn interval_at(sums: &PowerSums, claim: &MeanClaim, level: f64) -> Interval {
+    interval(sums, claim, method(sums, claim), level)
 }
 
 /// Mean, expectation and method in words.
@@ -127,8 +139,12 @@ fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
 
 /// The bias, brought towards 0 by the slack and by rounding.
 fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
-    let bias = bias(sums, claim);
-    lessened(bias, claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE)
+    lessened(bias(sums, claim), slack(claim))
+}
+
+/// What the claim and rounding leave open.
+fn slack(claim: &MeanClaim) -> f64 {
+    claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE
 }
 
 /// The larger of the sample's and the formula's skewness: a sample that has not seen its tail looks too tame.
@@ -154,9 +170,10 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
         return Method::Exact;
     }
     let (plain, corrected) = gate(skewness(sums, claim), sums.n as f64);
+    let tame = !sums.constant() && doubt(sums).is_none();
     match claim.range {
-        _ if plain && !sums.constant() => Method::StudentT,
-        _ if corrected && !sums.constant() => Method::SkewnessCorrected,
+        _ if plain && tame => Method::StudentT,
+        _ if corrected && tame => Method::SkewnessCorrected,
         Some(range) if within(sums, range) => Method::EmpiricalBernstein,
         _ => Method::None,
     }
@@ -179,7 +196,7 @@ fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
 }
 
 /// Whether every draw lies in the range, but for rounding.
-fn within(sums: &PowerSums, (low, high): (f64, f64)) -> bool {
+pub(crate) fn within(sums: &PowerSums, (low, high): (f64, f64)) -> bool {
     let rounding = ROUNDING * (high - low);
     sums.least >= low - rounding && sums.greatest <= high + rounding
 }
@@ -207,21 +224,21 @@ fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f64 {
     if p > 1.0 { 1.0 } else { p }
 }
 
-pub(crate) fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64 {
+fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64 {
     let (n, l) = (sums.n as f64, libm::log(4.0 / level));
     (2.0 * sums.variance() * l / n).sqrt() + 7.0 * (high - low) * l / (3.0 * (n - 1.0))
 }
 
-fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
+fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method, level: f64) -> Interval {
     let (bias, n) = (bias(sums, claim), sums.n as f64);
-    let error = (sums.variance() / n).sqrt();
-    let (z, power) = (normal_quantile(0.5 * REPORTING_LEVEL), normal_quantile(1.0 - POWER));
+    let (error, due) = ((sums.variance() / n).sqrt(), larger(sums.variance(), claim.variance.unwrap_or(0.0)));
+    let (z, power) = (normal_quantile(0.5 * level), normal_quantile(1.0 - POWER) * (due / n).sqrt());
     let about = |half: f64, detectable: f64| Interval { method, low: bias - half, high: bias + half, detectable };
     match (method, claim.range) {
         (Method::Binomial, _) => {
-            let (low, high) = clopper_pearson(sums.n, sums.ones, REPORTING_LEVEL);
+            let (low, high) = clopper_pearson(sums.n, sums.ones, level);
             let error = (claim.expected * (1.0 - claim.expected) / n).sqrt();
-            let detectable = (z + power) * error;
+            let detectable = (z + normal_quantile(1.0 - POWER)) * error;
             Interval { method, low: low - claim.expected, high: high - claim.expected, detectable }
         }
         (Method::Exact, _) => {
@@ -229,12 +246,14 @@ fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Interval {
             about(rounding, rounding)
         }
         (Method::EmpiricalBernstein, Some(range)) => {
-            let half = bernstein_width(sums, range, REPORTING_LEVEL);
-            about(half, half + power * error)
+            let half = bernstein_width(sums, range, level);
+            about(half, half + power)
         }
         (Method::None, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY, f64::INFINITY),
-        (Method::StudentT, _) => about(z * error, (z + power) * error),
-        (Method::SkewnessCorrected, _) => corrected_limits(sums, z, bias, about(z * error, (z + power) * error)),
+        (Method::StudentT, _) => about(z * error, z * (due / n).sqrt() + power),
+        (Method::SkewnessCorrected, _) => {
+            corrected_limits(sums, z, bias, about(z * error, z * (due / n).sqrt() + power))
+        }
     }
 }
 

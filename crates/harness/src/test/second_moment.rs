@@ -1,7 +1,7 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
 use super::mean::gate;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use crate::verdict::Reason;
@@ -12,7 +12,7 @@ the skewness from the sixth: a weight with the right mean and the wrong spread s
 /// How good the formulas of the moments are, relative to them.
 const FORMULA: f64 = 1e-10;
 
-/// E[X^2] against its formula; `moments` are E[X^k], k = 1 to 6. Each draw may be off by `slack`.
+/// E[X^2] against its formula; `moments` are E[X^2], E[X^4] and E[X^6]. Each draw may be off by `slack`.
 ///
 /// ```text
 /// z = (mean X^2 - m2) / sqrt((m4 - m2^2) / n)
@@ -22,24 +22,28 @@ const FORMULA: f64 = 1e-10;
 /// after cancellation cannot be trusted there. Withheld where X^2 is so
 /// skew (exact m6) that its tail is not known, or so small that its powers underflow.
 #[must_use]
-pub fn second_moment(sums: &PowerSums, moments: &[f64; 6], slack: f64) -> Evidence {
-    let [_, m2, _, m4, _, m6] = *moments;
+pub fn second_moment(name: &str, sums: &PowerSums, moments: [f64; 3], slack: f64) -> Evidence {
+    let [m2, m4, m6] = moments;
     let (n, c) = (sums.n as f64, sums.center);
     let mean_square = c * c + 2.0 * c * sums.sums[0] / n + sums.sums[1] / n;
-    let excess = lessened(mean_square - m2, FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack);
+    let slack = FORMULA * m2 + 2.0 * m2.sqrt() * slack + slack * slack;
+    let excess = lessened(mean_square - m2, slack);
     let (variance, lost) = (m4 - m2 * m2, 1e-9 * m4);
     let known = !(variance <= lost);
     let third = m6 - 3.0 * m4 * m2 + 2.0 * m2 * m2 * m2;
     let skewness = if known { third / (variance * variance.sqrt()) } else { 0.0 };
-    let z = standardised(excess, ((if known { variance } else { lost }) / n).sqrt());
-    let tiny = m2 > 0.0 && !(m4 > 1e-180);
-    if tiny || !gate(skewness, n).1 {
-        let why =
-            format!("skewness {skewness:.3e} of the squares is too large for {n} draws, or they are too small");
-        return Evidence::withheld("second_moment", z, Reason::WrongVariance, why);
+    let error = ((if known { variance } else { lost }) / n).sqrt();
+    let z = standardised(excess, error);
+    let unusable = (m2 > 0.0 && !(m4 > 1e-180)) || !m6.is_finite();
+    if unusable || !gate(skewness, n).1 {
+        let why = format!(
+            "skewness {skewness:.3e} of the squares is too large for {n} draws, or their moments are too small or overflow"
+        );
+        return Evidence::withheld(name, z, Reason::WrongVariance, why);
     }
     let p = pearson_two_sided(skewness / n.sqrt(), z);
-    Evidence::new("second_moment", z, None, p, Reason::WrongVariance)
+    let null = if known { Null::lessened(slack, error) } else { Null::Conservative };
+    Evidence::new(name, z, None, p, Reason::WrongVariance).under(null)
 }
 
 #[cfg(test)]
@@ -49,12 +53,20 @@ mod tests {
     /// Draws of 1 +- `spread`, as many above as below, and their moments.
     fn p(spread: f64, off: f64, slack: f64) -> Option<f64> {
         let moments = std::array::from_fn(|i| {
-            let power = |x: f64| libm::pow(x, (i + 1) as f64);
+            let power = |x: f64| libm::pow(x, (2 * i + 2) as f64);
             0.5 * (power(1.0 + spread) + power(1.0 - spread))
         });
         let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         let draws: Vec<f64> = (0..10_000).map(|i| 1.0 + off + spread * sign(i)).collect();
-        second_moment(&PowerSums::of(1.0, &draws), &moments, slack).p
+        second_moment("second_moment", &PowerSums::of(1.0, &draws), moments, slack).p
+    }
+
+    #[test]
+    fn moments_that_overflow_give_no_p_value() {
+        let sums = PowerSums::of(1.0, &[0.5, 1.5, 1.0]);
+        for moments in [[1.0, f64::INFINITY, f64::INFINITY], [1.0, 2.0, f64::INFINITY], [1.0, 2.0, f64::NAN]] {
+            assert_eq!(second_moment("second_moment", &sums, moments, 0.0).p, None);
+        }
     }
 
     #[test]

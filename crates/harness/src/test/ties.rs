@@ -1,4 +1,4 @@
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::poisson_sf;
 use crate::tally::TieTally;
@@ -26,7 +26,7 @@ pub fn ties(tally: &TieTally, collided: u64, pair: f64) -> Evidence {
     let first = of(first, held, 1.0);
     let (p, pairs) = if !(all.0 >= first.0) { all } else { first };
     let p = if p > 0.5 { 1.0 } else { 2.0 * p };
-    Evidence::new("ties", pairs as f64, None, p, Reason::Dependent)
+    Evidence::new("ties", pairs as f64, None, p, Reason::Dependent).under(Null::Conservative)
 }
 
 /// A bound on the probability that two collided draws are equal, for uniforms of `bits` bits: equal uniforms, or values

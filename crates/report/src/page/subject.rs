@@ -87,7 +87,11 @@ fn draws(subject: &Subject) -> String {
     } else {
         String::new()
     };
-    format!("{}{second} ({} asked for)", count(result.draws), count(result.draws_requested))
+    let left = match result.draws_left {
+        0 => String::new(),
+        left => format!("; {} more in the file, not judged", count(left)),
+    };
+    format!("{}{second} ({} asked for){left}", count(result.draws), count(result.draws_requested))
 }
 
 fn test(test: &TestResult) -> TestRow {

@@ -40,6 +40,7 @@ pub(crate) fn run() -> (Results, Timings) {
         repro: "freepath run cases --seed 20261122".into(),
         media: media.iter().map(Medium::result).collect(),
         results,
+        rankings: Vec::new(),
     };
     (results, timings)
 }

@@ -9,21 +9,21 @@ const MOST_HEADER: usize = 65_536;
 
 /// How the values are stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Header {
-    pub(super) number: Number,
+pub(in crate::source) struct Header {
+    pub(in crate::source) number: Number,
     /// Bytes of one value.
-    pub(super) width: usize,
-    pub(super) big_endian: bool,
+    pub(in crate::source) width: usize,
+    pub(in crate::source) big_endian: bool,
     /// The first index runs fastest.
-    pub(super) fortran: bool,
-    pub(super) shape: Vec<u64>,
+    pub(in crate::source) fortran: bool,
+    pub(in crate::source) shape: Vec<u64>,
     /// Bytes before the values.
-    pub(super) start: u64,
+    pub(in crate::source) start: u64,
 }
 
 impl Header {
     /// Reads up to the values.
-    pub(super) fn read(file: &mut dyn Read) -> Result<Self, Refusal> {
+    pub(in crate::source) fn read(file: &mut dyn Read) -> Result<Self, Refusal> {
         let mut magic = [0; 8];
         file.read_exact(&mut magic).map_err(|_| not_npy())?;
         let width = match &magic {

@@ -59,6 +59,7 @@ fn law(result: &mut SubjectResult, escape: f64, distance: f64, noise: &mut Noise
             low: (share - 3.3 * error).into(),
             high: (share + 3.3 * error).into(),
         },
+        grown: None,
     });
     share
 }

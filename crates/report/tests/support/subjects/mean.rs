@@ -74,6 +74,7 @@ fn mean(truth: f64, own: f64, deviation: f64, plan: &Plan, noise: &mut Noise) ->
             "exact"
         }
         .into(),
+        grown: None,
     }
 }
 

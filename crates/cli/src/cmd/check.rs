@@ -1,0 +1,86 @@
+//! `freepath check`: samples that another program has drawn, judged as a subject of a case is.
+
+use crate::args::{Check, Kind, When};
+use crate::cmd::run::judge;
+use crate::trouble::Trouble;
+use freepath_estimators::simd;
+use freepath_harness::case::{
+    CaseError, CaseFile, ChromaticSamples, ChromaticSubject, FreePathSamples, FreePathSubject, Limits, Prepared,
+    Subject, TransmittanceSamples, TransmittanceSubject,
+};
+use freepath_harness::run::quoted;
+use freepath_harness::source::samples::Escape;
+use std::io::{IsTerminal, stderr};
+
+/// Nothing is judged before the file is known to be usable.
+pub(crate) fn check(args: &Check, color: When) -> Result<u8, Trouble> {
+    simd::check_environment().map_err(Trouble::unusable)?;
+    let subject = subject(args).map_err(Trouble::unusable)?;
+    let unusable = |why: CaseError| Trouble::Unusable(vec![why.render(color.colors(stderr().is_terminal()))]);
+    let cases = prepared(args, subject).map_err(unusable)?;
+    judge(&cases, 1, repro(args), &args.output, color) // the seed seeds nothing
+}
+
+fn prepared(args: &Check, subject: Subject) -> Result<Vec<Prepared>, CaseError> {
+    let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
+    CaseFile::load(&args.case)?.checking(subject, args.ray)?.prepare(&limits)
+}
+
+/// The subject that a case would have.
+fn subject(args: &Check) -> Result<Subject, &'static str> {
+    let Check { samples, column, weight, escape, format, .. } = args;
+    let (file, column, format) = (samples.clone(), column.clone(), *format);
+    let weighted = weight.is_some() || *escape != Escape::default();
+    let mut subject = Subject {
+        draws: args.draws,
+        tolerance: args.tolerance,
+        resolution_bits: args.resolution_bits,
+        ..Subject::default()
+    };
+    match args.kind {
+        Kind::FreePath => {
+            let samples = FreePathSamples { file, column, weight: weight.clone(), escape: *escape, format };
+            subject.free_path = Some(FreePathSubject::Samples(samples));
+        }
+        Kind::Transmittance | Kind::Chromatic if weighted => {
+            return Err("cannot use --weight or --escape: they belong to free paths (--as free_path)");
+        }
+        Kind::Transmittance => {
+            let samples = TransmittanceSamples { file, column, format };
+            subject.transmittance = Some(TransmittanceSubject::Samples(samples));
+        }
+        Kind::Chromatic if column.is_some() => {
+            return Err("cannot use --column: chromatic samples have the columns t, event, w0, w1, ..");
+        }
+        Kind::Chromatic => {
+            subject.chromatic = Some(ChromaticSubject::Samples(ChromaticSamples { file, format }));
+        }
+    }
+    Ok(subject)
+}
+
+/// As a case has it.
+fn name(value: &impl serde::Serialize) -> String {
+    let json = serde_json::to_value(value).unwrap_or_default();
+    json.as_str().unwrap_or_default().to_string()
+}
+
+/// The command with every flag that the results depend on.
+fn repro(args: &Check) -> String {
+    let kind = clap::ValueEnum::to_possible_value(&args.kind);
+    let flag = |name: &str, value: &str| format!("--{name} {}", quoted(value));
+    let mut words = vec!["freepath check".to_string(), quoted(&args.samples)];
+    words.push(flag("case", &args.case.display().to_string()));
+    words.extend(kind.map(|kind| flag("as", kind.get_name())));
+    words.extend(args.column.as_ref().map(|name| flag("column", name)));
+    words.extend(args.weight.as_ref().map(|name| flag("weight", name)));
+    let escape = Some(&args.escape).filter(|&escape| *escape != Escape::default());
+    words.extend(escape.map(|escape| flag("escape", &name(escape))));
+    words.extend(args.format.as_ref().map(|format| flag("format", &name(format))));
+    words.extend(args.draws.map(|n| format!("--draws {n}")));
+    words.extend(args.tolerance.map(|x| format!("--tolerance {x:e}")));
+    words.extend(args.resolution_bits.map(|n| format!("--resolution-bits {n}")));
+    words.extend(args.ray.map(|i| format!("--ray {i}")));
+    words.extend(args.allow_paths.then(|| "--allow-paths".to_string()));
+    words.join(" ")
+}

@@ -1,0 +1,95 @@
+//! Draws that come in one after another: they are read by one thread at a time and folded by all.
+
+use super::{BLOCK, BlockSums, Collected, FIRST_BLOCKS, Plan, Stopped, Subject, WAVE, Watch, Worker, Workers};
+use crate::samples::{Rows, SampleSource, Wanted};
+use freepath_estimators::Draws;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// The rows of a stage, and the number of the block that comes next.
+struct Reader<'a> {
+    rows: Box<dyn Rows + 'a>,
+    blocks: Range<u64>,
+}
+
+/// A block, or why it could not be read.
+type Read = Result<BlockSums, (u64, String)>;
+
+impl Reader<'_> {
+    /// The number of the next block and the seconds that it took to read; none at the end.
+    fn next(&mut self, draws: &mut Draws) -> Option<Result<(u64, f64), (u64, String)>> {
+        let (started, block) = (Instant::now(), self.blocks.next()?);
+        resize(draws, BLOCK);
+        match self.rows.read(draws) {
+            Err(why) => {
+                self.blocks.start = self.blocks.end;
+                Some(Err((block, why)))
+            }
+            Ok(0) => {
+                self.blocks.start = self.blocks.end;
+                None
+            }
+            Ok(rows) => {
+                resize(draws, rows);
+                Some(Ok((block, started.elapsed().as_secs_f64())))
+            }
+        }
+    }
+}
+
+/// Makes room for so many rows in the columns that are wanted.
+fn resize(draws: &mut Draws, rows: usize) {
+    draws.rows = rows;
+    let columns = [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels);
+    columns.filter(|column| !column.is_empty()).for_each(|column| column.resize(rows, f64::NAN));
+}
+
+impl Worker {
+    /// The next block, whichever it is.
+    fn take(&mut self, plan: &Plan, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
+        let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
+        Some(next.map(|(block, seconds)| self.tally(plan, block, block - first < FIRST_BLOCKS, seconds)))
+    }
+}
+
+/// The rows of `blocks`, folded: the same for any number of threads, since blocks are put in order before their sums are
+/// added.
+pub(super) fn collect(
+    source: &dyn SampleSource,
+    subject: &Subject,
+    plan: &Plan,
+    seed: u64,
+    blocks: Range<u64>,
+    watch: &Watch,
+) -> Result<Collected, Stopped> {
+    let wanted = Wanted { seed, subject: subject.key, blocks: blocks.clone() };
+    let rows = source.open(&wanted).map_err(Stopped::Subject)?;
+    let (workers, mut collected) = (Workers::new(), Collected::new(plan));
+    let reader = Mutex::new(Reader { rows, blocks: blocks.clone() });
+    let cancelled = || watch.cancelled.load(Ordering::Relaxed);
+    let take = |_| match cancelled() {
+        true => None,
+        false => workers.with(subject, plan, |worker| worker.take(plan, &reader, blocks.start)),
+    };
+    loop {
+        let mut wave: Vec<Read> = (0..WAVE).into_par_iter().filter_map(take).collect();
+        if cancelled() {
+            return Err(Stopped::Cancelled);
+        }
+        wave.sort_by_key(|read| read.as_ref().map_or_else(|(block, _)| *block, |sums| sums.block));
+        let (before, full) = (collected.draws, wave.len() as u64 == WAVE);
+        for read in wave {
+            collected.fold(&read.map_err(|(_, why)| Stopped::Subject(why))?);
+        }
+        (watch.progress)(collected.draws - before);
+        if !full {
+            break;
+        }
+    }
+    collected.counts = workers.counts().unwrap_or_default();
+    collected.fit_tails();
+    Ok(collected)
+}

@@ -1,0 +1,131 @@
+//! Efficiency of each transmittance estimator, and the ranking of those of one medium.
+
+use super::Trial;
+use crate::plan::MeanPlan;
+use crate::ranking::{Comparison, RANKING_LEVEL, Standing, Work, compare, ranks, standing};
+use crate::real::Real;
+use crate::results::{Efficiency, Ranked, RankedPair, Ranking, Refused, SubjectResult};
+use crate::tally::PowerSums;
+use crate::verdict::{Reason, Verdict};
+
+/// Relative variance with a 95 % interval, and whether it is ranked; none for what has no mean.
+pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> {
+    let (plan, sums) = mean(trial)?;
+    let (t, bias) = (plan.truth.expected, plan.design_bias());
+    let variance = (sums.variance() + bias * bias) / (t * t);
+    let standing = of(trial, verdict)?;
+    let error = match &standing {
+        Standing::Ranked(work) => work.error,
+        _ => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
+    };
+    let (exact, factor) = (standing == Standing::Exact, libm::exp(1.96 * error));
+    let refusal = match &standing {
+        Standing::Ranked(_) => String::new(),
+        Standing::Exact => "zero variance: exact".into(),
+        Standing::Refused(why) => why.clone(),
+    };
+    Some(Efficiency {
+        relative_variance: Real(variance),
+        low: Real(variance / factor),
+        high: Real(variance * factor),
+        exact,
+        ranked: refusal.is_empty(),
+        refusal,
+    })
+}
+
+fn mean<'a>(trial: &'a Trial) -> Option<(&'a MeanPlan, PowerSums)> {
+    trial.plan.mean.as_ref().zip(trial.first.collected.as_ref()?.mean)
+}
+
+/// Whether a transmittance estimator can be ranked; none for other kinds.
+fn of(trial: &Trial, verdict: Verdict) -> Option<Standing> {
+    let ((plan, sums), seen) = (mean(trial)?, trial.first.collected.as_ref()?);
+    let t = plan.truth.expected;
+    // draws that are all 0 because none has hit are not exact
+    let exact = sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
+    let gated = |reason| trial.first.judged.gates.iter().any(|gate| gate.0 == reason);
+    let refused = |why: &str| Standing::Refused(why.into());
+    Some(match () {
+        () if !(plan.design_bias().abs() <= 1e-12 * t) => {
+            refused("biased by design: mean squared error, not ranked")
+        }
+        () if !trial.prepared.faults.is_empty() => refused("carries a planted fault"),
+        () if verdict == Verdict::Fail => refused("failed"),
+        () if exact => Standing::Exact,
+        () if gated(Reason::RareEvent) => refused("dominated by rare events"),
+        () if gated(Reason::HeavyTail) => refused("a tail too heavy for its mean"),
+        () => standing(&sums, &seen.counts.lookups, &seen.batches, plan.truth.variance, kurtosis(plan)),
+    })
+}
+
+/// The kurtosis by formula, where one is known and cancellation leaves it digits.
+fn kurtosis(plan: &MeanPlan) -> Option<f64> {
+    let pq = plan.truth.expected * (1.0 - plan.truth.expected);
+    if plan.truth.binary {
+        return Some((1.0 - 3.0 * pq) / pq).filter(|k| k.is_finite());
+    }
+    let [m1, m2, m3, m4, ..] = plan.moments?;
+    let variance = m2 - m1 * m1;
+    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1 * m1 * m1 * m1;
+    Some(fourth / (variance * variance)).filter(|_| variance > 1e-6 * m1 * m1)
+}
+
+/// One ranking for each medium with estimators of its transmittance.
+pub(super) fn rankings(trials: &[Trial], results: &[SubjectResult]) -> Vec<Ranking> {
+    let media: std::collections::BTreeSet<usize> = results.iter().map(|result| result.medium).collect();
+    let all = || trials.iter().zip(results);
+    let of_medium = |medium| ranking(medium, all().filter(move |(_, result)| result.medium == medium));
+    media.into_iter().filter_map(of_medium).collect()
+}
+
+/// An estimator that can be ranked.
+struct Entry {
+    id: String,
+    work: Work,
+    /// 2 ln T.
+    scale: f64,
+}
+
+fn ranking<'a>(
+    medium: usize,
+    of_medium: impl Iterator<Item = (&'a Trial<'a>, &'a SubjectResult)>,
+) -> Option<Ranking> {
+    let (mut entries, mut exact, mut refused) = (Vec::new(), Vec::new(), Vec::new());
+    for (trial, result) in of_medium {
+        let (id, mean) = (result.id.clone(), trial.plan.mean.as_ref());
+        let scale = mean.map_or(0.0, |mean| 2.0 * libm::log(mean.truth.expected));
+        match of(trial, result.verdict) {
+            Some(Standing::Ranked(work)) => entries.push(Entry { id, work, scale }),
+            Some(Standing::Exact) => exact.push(id),
+            Some(Standing::Refused(why)) => refused.push(Refused { id, why }),
+            None => (),
+        }
+    }
+    let empty = entries.is_empty() && exact.is_empty() && refused.is_empty();
+    entries.sort_by(|a, b| a.work.ln.total_cmp(&b.work.ln));
+    let pairs = compare(&entries.iter().map(|entry| entry.work).collect::<Vec<_>>());
+    let places = ranks(entries.len(), &pairs);
+    let order = entries.iter().zip(places).map(|(entry, rank)| ranked(entry, rank)).collect();
+    let pairs = pairs.iter().map(|pair| compared(pair, &entries)).collect();
+    (!empty).then_some(Ranking { medium, level: Real(RANKING_LEVEL), order, pairs, exact, refused })
+}
+
+fn ranked(entry: &Entry, rank: usize) -> Ranked {
+    let Entry { id, work, scale } = entry;
+    let relative = libm::exp(work.ln - scale);
+    Ranked { id: id.clone(), rank, work: Real(relative), error: Real(work.error), method: work.method.into() }
+}
+
+fn compared(pair: &Comparison, entries: &[Entry]) -> RankedPair {
+    RankedPair {
+        better: entries[pair.better].id.clone(),
+        worse: entries[pair.worse].id.clone(),
+        log_ratio: Real(pair.log_ratio),
+        low: Real(pair.low),
+        high: Real(pair.high),
+        p: Real(pair.p),
+        p_adjusted: Real(pair.p_adjusted),
+        decided: pair.decided(),
+    }
+}

@@ -1,0 +1,51 @@
+//! Draws that are made elsewhere: a finished file, a pipe, or a program that is started for each stage.
+
+use freepath_estimators::Draws;
+use std::ops::Range;
+
+/// What the rows of a source say, and so which columns of [`Draws`] they fill.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SampleKind {
+    /// `t`, infinity for an escape.
+    FreePath,
+    /// `t` and, as the only channel, its statistical weight.
+    WeightedFreePath,
+    /// `weight`: the estimate.
+    Transmittance,
+    /// `t` and the weight of each channel.
+    Chromatic,
+}
+
+/// The rows that a stage asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// The seed of the run.
+    pub seed: u64,
+    /// The subject's part of every key.
+    pub subject: u64,
+    /// Which blocks: those of stage 1 begin with 0, and no two stages share one.
+    pub blocks: Range<u64>,
+}
+
+/// Where draws come from that no subject of this process makes. Nothing is known of their look-ups.
+pub trait SampleSource: Send + Sync {
+    /// The rows of `wanted.blocks` from the first on.
+    ///
+    /// # Errors
+    /// Why there are none, in words that repeat nothing of a file's content: the subject fails as `subject_error`.
+    fn open<'a>(&'a self, wanted: &Wanted) -> Result<Box<dyn Rows + 'a>, String>;
+
+    /// Whether every draw is made already: then both stages are read, whatever the first one gives, so that all draws are
+    /// judged.
+    fn finished(&self) -> bool;
+}
+
+/// The rows of one stage, in drawing order.
+pub trait Rows: Send {
+    /// Writes the next block into the first rows of the wanted columns of `draws`, and says how many there are: fewer than
+    /// `draws.rows` at the end of the stage, 0 after it.
+    ///
+    /// # Errors
+    /// Why the rows end too early or cannot be used, in words.
+    fn read(&mut self, draws: &mut Draws) -> Result<usize, String>;
+}

@@ -1,0 +1,170 @@
+//! Runs in, results out.
+
+use super::Options;
+use super::p_values::PValues;
+use super::record::Record;
+use super::results::{
+    AlarmRate, LevelResult, QuantileSeries, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
+};
+use super::trial::Trial;
+use super::uniformity::Row;
+use crate::evidence::holm;
+use crate::real::Real;
+use crate::special::{binomial_sf, clopper_pearson};
+use crate::test::{declares, family};
+use std::collections::BTreeMap;
+
+/// The family-wise error of all checks of a soak.
+const FAMILY_LEVEL: f64 = 1e-3;
+/// Most alarms and facts that are told one by one.
+const MOST_TOLD: usize = 20;
+
+/// Alarms at one level.
+#[derive(Default)]
+struct Alarms {
+    stage_1: u64,
+    both: u64,
+    confirmed: u64,
+    told: Vec<SoakAlarm>,
+}
+
+/// What is kept of all runs so far: its size does not grow with them.
+pub(super) struct Fold {
+    /// By name of evidence and law.
+    rows: BTreeMap<(String, &'static str), Row>,
+    pooled: PValues,
+    levels: Vec<Alarms>,
+    facts: (u64, Vec<SoakFact>),
+    runs: u64,
+}
+
+impl Fold {
+    pub(super) fn new(levels: usize) -> Self {
+        let levels = (0..levels).map(|_| Alarms::default()).collect();
+        Self { rows: BTreeMap::new(), pooled: PValues::new(), levels, facts: (0, Vec::new()), runs: 0 }
+    }
+
+    /// Takes in the next run.
+    pub(super) fn observe(&mut self, trials: &[Trial], record: Record) {
+        let seed = record.seed;
+        self.runs += 1;
+        for sample in record.samples {
+            let discrete = sample.spread.is_some();
+            let row = self.rows.entry((sample.name, sample.null)).or_insert_with(|| Row::new(discrete));
+            row.p.observe(sample.p);
+            if let (Some(all), Some(p)) = (&mut row.spread, sample.spread) {
+                all.observe(p);
+            }
+            self.pooled.observe(sample.spread.unwrap_or(sample.p));
+        }
+        for (alarms, alarm) in self.levels.iter_mut().zip(record.alarms) {
+            alarms.stage_1 += u64::from(alarm.first.is_some());
+            alarms.both += u64::from(alarm.first.is_some() && alarm.second);
+            alarms.confirmed += u64::from(alarm.confirmed);
+            let told = alarm.first.map(|(i, test)| SoakAlarm { seed, subject: trials[i].id.clone(), test });
+            alarms.told.extend(told.filter(|_| alarms.told.len() < MOST_TOLD));
+        }
+        self.facts.0 += record.facts.len() as u64;
+        for (i, words) in record.facts {
+            if self.facts.1.len() < MOST_TOLD {
+                self.facts.1.push(SoakFact { seed, subject: trials[i].id.clone(), words });
+            }
+        }
+    }
+
+    /// Every check of the soak in one family.
+    pub(super) fn results(self, trials: &[Trial], options: &Options) -> SoakResults {
+        let designed = options.levels.iter().flat_map(|&level| [level, level * level, level * level]);
+        let counts = self.levels.iter().flat_map(|alarms| [alarms.stage_1, alarms.both, alarms.confirmed]);
+        let mut checks: Vec<f64> = designed.zip(counts).map(|(p, k)| binomial_sf(self.runs, p, k)).collect();
+        let of_rows = |((_, null), row): (&(String, &str), &Row)| row.hypotheses(*null == "conservative");
+        let of_rows: Vec<Vec<f64>> = self.rows.iter().map(of_rows).collect();
+        checks.extend(of_rows.iter().flatten());
+        let adjusted = holm(&checks);
+        let (of_levels, mut rest) = adjusted.split_at(3 * self.levels.len());
+        let mut least = Vec::new();
+        for checks in &of_rows {
+            let (own, after) = rest.split_at(checks.len());
+            least.push(own.iter().fold(1.0, |a, &p| if p < a { p } else { a }));
+            rest = after;
+        }
+        let tests = families(&self.rows, &least);
+        let levels: Vec<_> = options.levels.iter().zip(self.levels).zip(of_levels.chunks(3)).collect();
+        let levels: Vec<LevelResult> =
+            levels.into_iter().map(|((&level, alarms), p)| alarms.result(level, self.runs, p)).collect();
+        let kept = |rate: &AlarmRate| rate.p_adjusted.0 > FAMILY_LEVEL;
+        let quiet = levels.iter().all(|of| [of.stage_1, of.both, of.confirmed].iter().all(kept));
+        SoakResults {
+            schema_version: SOAK_VERSION,
+            version: env!("CARGO_PKG_VERSION").into(),
+            seed: options.seed,
+            runs: self.runs,
+            subjects: trials.len(),
+            draws: trials.iter().map(Trial::draws).sum(),
+            p_values: self.pooled.count,
+            family_level: Real(FAMILY_LEVEL),
+            holds: quiet
+                && self.facts.0 == 0
+                && !tests.is_empty()
+                && tests.iter().all(|test| test.holds && test.declared),
+            levels,
+            facts: self.facts.1,
+            tests,
+            pooled: series(&self.pooled),
+            repro: options.repro.clone(),
+        }
+    }
+}
+
+impl Alarms {
+    fn result(self, level: f64, runs: u64, p: &[f64]) -> LevelResult {
+        let rate = |designed: f64, count: u64, p: f64| {
+            let (low, high) = clopper_pearson(runs, count, 0.01);
+            let observed = Real(count as f64 / runs as f64);
+            let (designed, p_adjusted) = (Real(designed), Real(p));
+            AlarmRate { designed, count, observed, low: Real(low), high: Real(high), p_adjusted }
+        };
+        LevelResult {
+            level: Real(level),
+            stage_1: rate(level, self.stage_1, p[0]),
+            both: rate(level * level, self.both, p[1]),
+            confirmed: rate(level * level, self.confirmed, p[2]),
+            alarms: self.told,
+        }
+    }
+}
+
+/// The rows of each test and law together; each was checked alone.
+fn families(rows: &BTreeMap<(String, &'static str), Row>, least: &[f64]) -> Vec<SoakTest> {
+    let mut of: BTreeMap<(&str, &str), (Row, usize, f64)> = BTreeMap::new();
+    for (((name, null), row), &p) in rows.iter().zip(least) {
+        let start = || (Row::new(row.spread.is_some()), 0, 1.0);
+        let (all, names, worst) = of.entry((family(name), null)).or_insert_with(start);
+        all.merge(row);
+        *names += 1;
+        *worst = if p < *worst { p } else { *worst };
+    }
+    let result = |((test, null), (row, names, p)): ((&str, &str), (Row, usize, f64))| {
+        let (below, above) = row.uniform().distances();
+        let share = |count: u64| Real(count as f64 / row.p.count as f64);
+        SoakTest {
+            test: test.into(),
+            null: null.into(),
+            declared: declares(test, null),
+            names,
+            p_values: row.p.count,
+            shares: row.p.below().map(share).to_vec(),
+            below: Real(below),
+            above: Real(above),
+            p_adjusted: Real(p),
+            holds: p > FAMILY_LEVEL,
+            quantiles: series(row.uniform()),
+        }
+    };
+    of.into_iter().map(result).collect()
+}
+
+fn series(all: &PValues) -> QuantileSeries {
+    let (expected, observed) = all.quantiles().into_iter().map(|(a, b)| (Real(a), Real(b))).unzip();
+    QuantileSeries { expected, observed }
+}

@@ -1,0 +1,63 @@
+//! What is soaked: subjects whose claims hold.
+
+use crate::case::{Prepared, PreparedSubject};
+use crate::collect::{Stopped, Watch, collect};
+use crate::fault::Expectation;
+use crate::judge::{Judged, judge};
+use crate::plan::Plan;
+use crate::run::{Cancelled, id};
+use crate::subject::{BLOCK, Subject};
+use std::ops::Range;
+
+/// A right subject with its plan, made once for all runs.
+pub(super) struct Trial<'a> {
+    pub(super) id: String,
+    pub(super) subject: Subject<'a>,
+    plan: Plan,
+}
+
+/// Every subject without a fault that is not stated to fail. Finished files are left out: they hold the same draws for every
+/// seed.
+pub(super) fn right(cases: &[Prepared]) -> Vec<Trial<'_>> {
+    let mut all = Vec::new();
+    for case in cases {
+        for prepared in case.subjects.iter().filter(|prepared| sound(prepared)) {
+            let subject = prepared.runnable(&case.world, &case.case);
+            let plan = Plan::of(&subject);
+            all.push(Trial { id: id(case, prepared), subject, plan });
+        }
+    }
+    all
+}
+
+fn sound(prepared: &PreparedSubject) -> bool {
+    prepared.source.is_none()
+        && prepared.faults.is_empty()
+        && matches!(prepared.spec.expect, None | Some(Expectation::Pass))
+}
+
+impl Trial<'_> {
+    /// Blocks of stage 1.
+    pub(super) fn blocks(&self) -> u64 {
+        Subject::blocks(self.subject.draws)
+    }
+
+    /// Draws of stage 1.
+    pub(super) fn draws(&self) -> u64 {
+        self.blocks() * BLOCK as u64
+    }
+
+    /// The evidence of some blocks, of the claims that hold: a subject that is biased by design is held to its own law or mean
+    /// alone.
+    pub(super) fn judged(&self, seed: u64, blocks: Range<u64>, watch: &Watch) -> Result<Judged, Cancelled> {
+        let mut judged = match collect(&self.subject, &self.plan, seed, blocks, watch) {
+            Ok(seen) => judge(&self.subject, &self.plan, &seen),
+            Err(Stopped::Cancelled) => return Err(Cancelled),
+            Err(Stopped::Subject(why)) => Judged::broken(why),
+        };
+        let own = |name: &str| format!("own_{name}");
+        let owned: Vec<String> = judged.evidence.iter().map(|e| e.name.clone()).collect();
+        judged.evidence.retain(|e| !owned.contains(&own(&e.name)));
+        Ok(judged)
+    }
+}

@@ -1,0 +1,91 @@
+//! From numbers to draws: what an escape is, and which event a chromatic row tells.
+
+use super::{Escape, Refusal, Request, Table};
+use crate::samples::SampleKind;
+use freepath_estimators::Draws;
+
+/// The event of a chromatic row: its t is where the light scatters.
+pub(super) const SCATTER: f64 = 0.0;
+/// The event of a chromatic row: the light reaches the end of the ray.
+pub(super) const SURFACE: f64 = 1.0;
+
+/// What the numbers of a file say.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meaning {
+    kind: SampleKind,
+    /// From here on a free path is an escape.
+    escape: f64,
+    length: f64,
+    /// Up to here a distance is the length, rounded.
+    rounded: f64,
+}
+
+impl Meaning {
+    /// `tolerance` is the relative error of a distance.
+    pub(super) fn new(request: &Request, tolerance: f64) -> Self {
+        let Request { kind, length, .. } = *request;
+        let escape = match request.escape {
+            Escape::Infinity => f64::INFINITY,
+            Escape::AtLength => length * (1.0 - tolerance),
+        };
+        Self { kind, escape, length, rounded: length * (1.0 + tolerance) }
+    }
+
+    /// The next rows of `table`, at most `rows`, in the columns of `draws`; `first` is the number of the first.
+    pub(super) fn read(
+        &self,
+        table: &mut dyn Table,
+        rows: usize,
+        draws: &mut Draws,
+        events: &mut Vec<f64>,
+        first: u64,
+    ) -> Result<usize, Refusal> {
+        let Draws { t, weight, channels, .. } = draws;
+        match self.kind {
+            SampleKind::Transmittance => return table.read(rows, &mut [weight]),
+            SampleKind::FreePath => {
+                let read = table.read(rows, &mut [t])?;
+                self.settle(&mut t[..read]);
+                return Ok(read);
+            }
+            SampleKind::WeightedFreePath | SampleKind::Chromatic => {}
+        }
+        events.resize(rows, f64::NAN);
+        let mut columns: Vec<&mut [f64]> = vec![t];
+        if self.kind == SampleKind::Chromatic {
+            columns.push(events);
+        }
+        columns.extend(channels.iter_mut().map(Vec::as_mut_slice));
+        let read = table.read(rows, &mut columns)?;
+        match self.kind {
+            SampleKind::Chromatic => self.happen(&mut t[..read], &events[..read], first)?,
+            _ => self.settle(&mut t[..read]),
+        }
+        Ok(read)
+    }
+
+    /// Free paths with escapes at infinity, and none beyond the ray for rounding alone.
+    fn settle(&self, t: &mut [f64]) {
+        for t in t {
+            let near = if *t > self.length && *t <= self.rounded { self.length } else { *t };
+            *t = if *t >= self.escape { f64::INFINITY } else { near };
+        }
+    }
+
+    /// Distances of the events: infinity for the surface, whatever distance is given there.
+    fn happen(&self, t: &mut [f64], events: &[f64], first: u64) -> Result<(), Refusal> {
+        for (i, (t, &event)) in t.iter_mut().zip(events).enumerate() {
+            let near = if *t > self.length && *t <= self.rounded { self.length } else { *t };
+            *t = match event {
+                SURFACE => f64::INFINITY,
+                SCATTER if near == f64::INFINITY => f64::NAN, // nothing scatters there
+                SCATTER => near,
+                _ => {
+                    let cause = format!("the event of row {} is not known", first + i as u64 + 1);
+                    return Err(Refusal::new(cause, "0 or `scatter`, 1 or `surface`"));
+                }
+            };
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,184 @@
+//! Rows of numbers as text.
+
+use super::meaning::{SCATTER, SURFACE};
+use super::{Format, Refusal, Table};
+use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
+use std::io::{BufRead, BufReader, Read};
+
+/// The longest row, in bytes.
+const MOST_BYTES: usize = 65_536;
+/// The most columns.
+const MOST_COLUMNS: usize = 4096;
+
+/// The rows of `input`.
+pub(super) struct Text {
+    input: BufReader<Box<dyn Read + Send>>,
+    csv: Reader,
+    /// Columns are separated by any number of blanks.
+    blanks: bool,
+    row: Row,
+    /// The first row is numbers, and not read yet.
+    pending: bool,
+    /// Columns of every row.
+    across: usize,
+    /// Which of them are wanted.
+    pub(super) wanted: Vec<usize>,
+    /// Which of the wanted ones tells an event, in words or numbers.
+    pub(super) event: Option<usize>,
+}
+
+/// One row: its fields, one after another, and where they end.
+struct Row {
+    bytes: Vec<u8>,
+    ends: Vec<usize>,
+    fields: usize,
+    /// Where it stands, from 1.
+    line: u64,
+}
+
+impl Row {
+    fn field(&self, i: usize) -> &[u8] {
+        let start = if i == 0 { 0 } else { self.ends[i - 1] };
+        self.bytes[start..self.ends[i]].trim_ascii()
+    }
+
+    fn fields(&self) -> impl Iterator<Item = &[u8]> {
+        (0..self.fields).map(|i| self.field(i))
+    }
+
+    /// Leaves out fields without a letter.
+    fn close_up(&mut self) {
+        let (mut kept, mut end, mut start) = (0, 0, 0);
+        for i in 0..self.fields {
+            let stop = self.ends[i];
+            if stop > start {
+                self.bytes.copy_within(start..stop, end);
+                end += stop - start;
+                self.ends[kept] = end;
+                kept += 1;
+            }
+            start = stop;
+        }
+        self.fields = kept;
+    }
+}
+
+fn number(field: &[u8]) -> Option<f64> {
+    std::str::from_utf8(field).ok()?.parse().ok()
+}
+
+/// Tabs become spaces.
+struct Spaced(Box<dyn Read + Send>);
+
+impl Read for Spaced {
+    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
+        let read = self.0.read(bytes)?;
+        bytes[..read].iter_mut().filter(|byte| **byte == b'\t').for_each(|byte| *byte = b' ');
+        Ok(read)
+    }
+}
+
+impl Text {
+    /// Reads the first row. `choose` picks columns from the names that stand there, if it is not numbers, and how many
+    /// there are; it also says which of them tells an event.
+    pub(super) fn new(
+        input: Box<dyn Read + Send>,
+        format: Format,
+        choose: impl FnOnce(&[String], usize) -> Result<(Vec<usize>, Option<usize>), Refusal>,
+    ) -> Result<Self, Refusal> {
+        let blanks = format == Format::Txt;
+        let input: Box<dyn Read + Send> = if blanks { Box::new(Spaced(input)) } else { input };
+        let mut csv = ReaderBuilder::new();
+        if blanks {
+            csv.delimiter(b' ').comment(Some(b'#'));
+        }
+        let row = Row { bytes: vec![0; MOST_BYTES], ends: vec![0; MOST_COLUMNS], fields: 0, line: 0 };
+        let input = BufReader::with_capacity(1 << 16, input);
+        let (wanted, event) = (Vec::new(), None);
+        let mut text = Self { input, csv: csv.build(), blanks, row, pending: false, across: 0, wanted, event };
+        if !text.next()? {
+            return Err(Refusal::new("it is empty", "at least 1 draw"));
+        }
+        let named = text.row.fields().all(|field| number(field).is_none());
+        let name = |field: &[u8]| String::from_utf8_lossy(field).into_owned();
+        let names: Vec<String> = if named { text.row.fields().map(name).collect() } else { Vec::new() };
+        (text.pending, text.across) = (!named, text.row.fields);
+        (text.wanted, text.event) = choose(&names, text.across)?;
+        Ok(text)
+    }
+
+    /// Reads the next row that is not empty; false at the end.
+    fn next(&mut self) -> Result<bool, Refusal> {
+        loop {
+            if !self.record()? {
+                return Ok(false);
+            }
+            if self.blanks {
+                self.row.close_up();
+            }
+            if self.row.fields > 0 {
+                return Ok(true);
+            }
+        }
+    }
+
+    fn record(&mut self) -> Result<bool, Refusal> {
+        let (mut bytes, mut ends) = (0, 0);
+        loop {
+            let input = self.input.fill_buf()?;
+            let Row { bytes: to, ends: stops, .. } = &mut self.row;
+            let (result, read, wrote, ended) = self.csv.read_record(input, &mut to[bytes..], &mut stops[ends..]);
+            let newline = read > 0 && input[read - 1] == b'\n';
+            self.input.consume(read);
+            (bytes, ends) = (bytes + wrote, ends + ended);
+            let too_large = |what: &str, most| {
+                Err(Refusal::new(format!("a row has too many {what}"), format!("at most {most}")))
+            };
+            match result {
+                ReadRecordResult::InputEmpty => {}
+                ReadRecordResult::OutputFull => return too_large("bytes", MOST_BYTES),
+                ReadRecordResult::OutputEndsFull => return too_large("columns", MOST_COLUMNS),
+                ReadRecordResult::End => return Ok(false),
+                ReadRecordResult::Record => {
+                    self.row.line = self.csv.line() - u64::from(newline); // a carriage return ends a row, too
+                    self.row.fields = ends;
+                    return Ok(true);
+                }
+            }
+        }
+    }
+
+    fn value(&self, k: usize) -> Result<f64, Refusal> {
+        let column = self.wanted[k];
+        let field = self.row.field(column);
+        let event = match field {
+            b"scatter" => Some(SCATTER),
+            b"surface" => Some(SURFACE),
+            _ => None,
+        };
+        let value = number(field).or_else(|| event.filter(|_| self.event == Some(k)));
+        value.ok_or_else(|| {
+            let cause = format!("line {}, column {} is not a number", self.row.line, column + 1);
+            Refusal::new(cause, "such as 1.25e-3, inf or nan")
+        })
+    }
+}
+
+impl Table for Text {
+    fn read(&mut self, rows: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal> {
+        for i in 0..rows {
+            if !std::mem::take(&mut self.pending) && !self.next()? {
+                return Ok(i);
+            }
+            if self.row.fields != self.across {
+                let (line, fields) = (self.row.line, self.row.fields);
+                let cause = format!("line {line} has another number of columns, {fields}");
+                return Err(Refusal::new(cause, format!("{} as in the first line", self.across)));
+            }
+            for (k, column) in columns.iter_mut().enumerate().take(self.wanted.len()) {
+                column[i] = self.value(k)?;
+            }
+        }
+        Ok(rows)
+    }
+}

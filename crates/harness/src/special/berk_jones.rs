@@ -1,0 +1,50 @@
+use super::saddle_point::deviance;
+
+mod bound;
+mod quantiles;
+mod table;
+
+pub use bound::berk_jones_bound;
+
+/// The likelihood ratio of a share count / m against u, in logarithm.
+///
+/// ```text
+/// m KL(a || u) = count ln(count / (m u)) + (m - count) ln((m - count) / (m (1 - u))),   a = count / m
+/// ```
+///
+/// Domain: 0 <= count <= m, 0 <= u <= 1; infinite where u rules the count out. Accuracy: 1e-13, also where a is near u.
+#[must_use]
+pub fn likelihood_ratio(m: f64, count: f64, u: f64) -> f64 {
+    let excess = count - m * u;
+    of(count, m * u, excess) + of(m - count, m * (1.0 - u), -excess)
+}
+
+/// The deviance of a count that may be 0.
+fn of(count: f64, mean: f64, excess: f64) -> f64 {
+    if count <= 0.0 { mean } else { deviance(count, mean, excess) }
+}
+
+/// Upper tail of the Berk-Jones statistic of `m` draws from a continuous law that is fully given.
+///
+/// ```text
+/// P(R >= x),   R = sup over u of m KL(F_m(u) || u)
+/// ```
+///
+/// From p = 0.95 to 1e-3 by a table of simulated quantiles, between whose rows and columns R is linear in ln m and ln p; above
+/// 0.95 it is 1; beyond 1e-3 the smaller of 1e-3 and [`berk_jones_bound`], which is proven: so p has no floor, and
+/// is flat for about one unit of x before it falls on.
+///
+/// Domain: m >= 100 (1 below it until the bound falls under 1); NaN gives NaN. Accuracy: the table
+/// to the noise of 40,000 samples (2 % of p at 0.05, 16 % at 1e-3), the bound too large by a factor of 2 to 4. For m > 1e12 the last row: the law changes like ln ln m.
+#[must_use]
+pub fn berk_jones_sf(m: u64, x: f64) -> f64 {
+    if x.is_nan() {
+        return f64::NAN;
+    }
+    let (bulk, measured) = table::sf(m as f64, x);
+    if measured {
+        return bulk;
+    }
+    let bound = berk_jones_bound(m as f64, x);
+    if bound < bulk { bound } else { bulk }
+}
