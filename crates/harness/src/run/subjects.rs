@@ -28,9 +28,8 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
-    let grown = grown(trial, first, second);
+    let (seen, grown) = (trial.first.collected.as_ref(), grown(trial, first, second));
     let known = seen.filter(|_| plan.known);
     let mean = plan.mean.as_ref().zip(known.and_then(|seen| seen.mean));
     let cells = plan.law.as_ref().zip(known.and_then(|seen| seen.counts.cells.as_ref()));
