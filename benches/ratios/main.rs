@@ -2,15 +2,16 @@
 //!
 //! ```text
 //! cargo bench                 the table, on the instruction set in use (FREEPATH_ISA)
-//! cargo bench -- voxels       the rows whose name contains a word, or `judging` alone
+//! cargo bench -- voxels       the rows whose name contains a word, or `judging` or `samples` alone
 //! cargo bench -- --full       the same, and the peak memory at 1e9 draws
-//! cargo bench -- --check      exits with 1 if the hot loops no longer vectorise
+//! cargo bench -- --check      exits with 1 if the hot loops no longer vectorise, or samples are judged too slowly
 //! ```
 
 mod check;
 mod clock;
 mod floor;
 mod judging;
+mod samples;
 mod scalar;
 mod scenes;
 mod table;
@@ -41,6 +42,8 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         machine()?;
         if name == "judging" {
             judging::print(ROUNDS)?;
+        } else if name == "samples" {
+            samples::print(ROUNDS)?;
         } else {
             table::print(ROUNDS, name)?;
         }
@@ -54,6 +57,7 @@ fn all(full: bool) -> Result<(), Box<dyn std::error::Error>> {
     machine()?;
     table::print(ROUNDS, "")?;
     judging::print(ROUNDS)?;
+    samples::print(ROUNDS)?;
     let floors = check::floors(ROUNDS);
     println!("floor, ns per step, and against the baseline:");
     for (isa, ns) in Isa::ALL.into_iter().zip(floors).filter(|(isa, _)| *isa <= simd::detect()) {

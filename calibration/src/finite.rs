@@ -31,7 +31,7 @@ pub struct Leaning {
 impl Finite {
     /// Mass in proportion to `weight` at each of `points`.
     #[must_use]
-    pub fn new(points: Vec<f64>, weight: impl Fn(f64) -> f64) -> Self {
+    pub fn new(points: Vec<f64>, mut weight: impl FnMut(f64) -> f64) -> Self {
         let weights: Vec<f64> = points.iter().map(|&x| weight(x)).collect();
         let total: f64 = weights.iter().sum();
         Self { points, mass: weights.iter().map(|w| w / total).collect() }
@@ -112,6 +112,7 @@ impl Finite {
         for (&x, &n) in self.points.iter().zip(counts).filter(|(_, n)| **n > 0) {
             let mut one = PowerSums::of(center, &[x]);
             one.sums.iter_mut().for_each(|sum| *sum *= n as f64);
+            one.absolute *= n as f64;
             (one.n, one.zeros, one.ones) = (n, one.zeros * n, one.ones * n);
             all.merge(&one);
         }

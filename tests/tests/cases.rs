@@ -3,7 +3,8 @@
 use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{Case, CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
 use freepath_harness::fault::Fault;
-use freepath_tests::{case_paths, load, results, surprises};
+use freepath_tests::{case_paths, load, results, root, surprises};
+use std::collections::BTreeSet;
 
 #[test]
 fn every_shipped_case_is_as_expected() {
@@ -30,5 +31,21 @@ fn every_case_survives_being_written_and_read_again() {
         let text = serde_json::to_string_pretty(&first).expect("a case is JSON");
         let again: Case = CaseFile::parse(&path, text).unwrap_or_else(|error| panic!("{error}")).case;
         assert_eq!(first, again, "{}", path.display());
+    }
+}
+
+#[test]
+fn every_fault_is_on_its_page_and_most_have_a_setting_that_hides_them() {
+    let page = std::fs::read_to_string(root().join("docs/faults.md")).unwrap_or_default();
+    let mut hidden = BTreeSet::new();
+    for path in case_paths("cases/controls") {
+        let case = CaseFile::load(&path).unwrap_or_else(|error| panic!("{error}")).case;
+        for subject in case.subjects.iter().filter(|subject| subject.innocent) {
+            hidden.extend(subject.fault.iter().flat_map(|faults| &faults.0).map(Fault::name));
+        }
+    }
+    assert!(hidden.len() >= 40, "{hidden:?}");
+    for (name, _) in Fault::NAMES {
+        assert!(page.contains(&format!("`{name}`")), "docs/faults.md does not tell of {name}");
     }
 }

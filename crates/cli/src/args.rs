@@ -31,6 +31,8 @@ pub(crate) enum Verb {
     Medium(Medium),
     /// Bound the bias of subjects far below the noise, by scrambled Sobol points.
     Microscope(Microscope),
+    /// Find how many draws each planted fault needs to be seen, and what sees it.
+    Power(Power),
     /// List every name that a case can use, and every test and reason.
     List(List),
     /// Tell all about one name of the list.
@@ -49,6 +51,34 @@ pub(crate) struct Run {
     /// Case files, or folders of them, searched recursively for .json and .jsonc.
     #[arg(value_name = "PATH", default_value = "cases")]
     pub(crate) paths: Vec<PathBuf>,
+    /// What is drawn.
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// `freepath power`.
+#[derive(Args, Debug)]
+pub(crate) struct Power {
+    /// Case files, or folders of them, searched recursively for .json and .jsonc.
+    #[arg(value_name = "PATH", default_value = "cases/controls")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Print the table in Markdown, as in docs/power.md.
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) markdown: bool,
+    /// What is drawn.
+    #[command(flatten)]
+    pub(crate) sampling: Sampling,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// Which subjects of the cases are drawn, and how often.
+#[derive(Args, Debug)]
+pub(crate) struct Sampling {
     /// The seed of all random numbers.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) seed: u64,
@@ -67,9 +97,6 @@ pub(crate) struct Run {
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,
-    /// Where results go.
-    #[command(flatten)]
-    pub(crate) output: Output,
 }
 
 /// Where the results of a run go, and how fast.
@@ -78,13 +105,13 @@ pub(crate) struct Output {
     /// Worker threads [default: one per CPU]; results do not depend on it.
     #[arg(long, value_name = "N", value_parser = number::jobs)]
     pub(crate) jobs: Option<usize>,
-    /// The folder that the report is written to.
+    /// The folder that results are written to.
     #[arg(long, value_name = "DIR", default_value = "reports")]
     pub(crate) out: PathBuf,
-    /// Print results.json instead of a line per subject.
+    /// Print the JSON of the results instead of a line per subject.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Show no progress, and only the subjects that are not as expected.
+    /// Show no progress, and only what is not as expected.
     #[arg(long)]
     pub(crate) quiet: bool,
 }

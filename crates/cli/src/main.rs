@@ -9,6 +9,7 @@ mod number;
 mod progress;
 mod reference;
 mod screen;
+mod session;
 mod signal;
 mod table;
 mod trouble;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
         Verb::Microscope(args) => cmd::microscope::microscope(args, color),
+        Verb::Power(args) => cmd::power::power(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),
         Verb::Describe(args) => cmd::describe::describe(args),

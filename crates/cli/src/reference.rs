@@ -8,6 +8,7 @@ use doc::plain;
 pub(crate) use fields::Field;
 use fields::fields;
 use freepath_harness::case;
+use freepath_harness::describe;
 use freepath_harness::test;
 use freepath_harness::verdict::Reason;
 use serde_json::Value;
@@ -77,7 +78,7 @@ fn tests() -> impl Iterator<Item = Entry> {
     all.map(|(kind, name, words)| Entry {
         kind,
         name: name.to_string(),
-        words: plain(words),
+        words: plain(&format!("{words}\n\n{}", describe::details(name).unwrap_or_default())),
         fields: Vec::new(),
         example: String::new(),
     })
@@ -87,7 +88,7 @@ fn reasons() -> impl Iterator<Item = Entry> {
     Reason::ALL.iter().map(|reason| Entry {
         kind: "reason",
         name: reason.code().to_string(),
-        words: sentence(reason.words()),
+        words: format!("{}\n\n{}", sentence(reason.words()), describe::advice(*reason)),
         fields: Vec::new(),
         example: format!("\"expect\": {{ \"fail\": \"{reason}\" }}"),
     })

@@ -1,5 +1,8 @@
 //! A run in words: a line for each subject, then a summary.
 
+mod grid;
+pub(crate) mod power;
+
 use crate::screen::{cell, painted};
 use freepath_harness::real::Real;
 use freepath_harness::results::{MeanResult, Results, SubjectResult};

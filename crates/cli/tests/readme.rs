@@ -4,7 +4,9 @@
 use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
 use freepath_harness::fault::Fault;
+use freepath_harness::test::{CHECKS, NAMES};
 use freepath_harness::verdict::Reason;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -32,12 +34,18 @@ fn freepath(args: &[String], variables: &[(&str, &str)]) -> Output {
     command.envs(variables.iter().copied()).output().unwrap()
 }
 
-/// The arguments of `rest`, with the report going to `folder`; fewer draws will do to see that a command is sound.
+/// The arguments of `rest`, with the report going to `folder`; fewer draws or subjects will do to see that a command is sound.
 fn arguments(rest: &str, folder: &str) -> Vec<String> {
     let mut args: Vec<String> = rest.split_whitespace().map(String::from).collect();
-    if args[0] == "run" && !args.iter().any(|arg| arg == "--help") {
+    let fewer: &[&str] = match args[0].as_str() {
+        "run" => &["--quick"],
+        "power" => &["--filter", "short_majorant"],
+        _ => return args,
+    };
+    if !args.iter().any(|arg| arg == "--help") {
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
-        args.extend(["--out".into(), out.display().to_string(), "--quick".into()]);
+        args.extend(["--out".into(), out.display().to_string()]);
+        args.extend(fewer.iter().map(ToString::to_string));
     }
     if args[0] == "microscope" {
         args.extend(["--points".into(), "1024".into()]);
@@ -105,6 +113,30 @@ fn every_name_is_told() {
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
     for name in names.chain(faults).chain(reasons) {
         assert!(readme.contains(&format!("`{name}`")), "README.md does not tell of {name}");
+    }
+}
+
+#[test]
+fn every_test_check_and_reason_has_a_section_and_every_section_is_of_one() {
+    let named = NAMES.iter().chain(CHECKS).map(|(name, _)| *name);
+    let known: BTreeSet<&str> = named.chain(Reason::ALL.iter().map(|reason| reason.code())).collect();
+    let page = text("docs/statistics.md");
+    let headings = page.lines().filter_map(|line| line.strip_prefix("### "));
+    let told: BTreeSet<&str> = headings.flat_map(|heading| heading.split('`').skip(1).step_by(2)).collect();
+    assert_eq!(known.difference(&told).collect::<Vec<_>>(), [] as [&&str; 0], "not in docs/statistics.md");
+    assert_eq!(told.difference(&known).collect::<Vec<_>>(), [] as [&&str; 0], "nobody knows these");
+}
+
+#[test]
+fn every_control_is_in_the_power_table() {
+    let table = text("docs/power.md");
+    for case in fs::read_dir(root().join("cases/controls")).unwrap() {
+        let path = case.unwrap().path();
+        let prepared = CaseFile::load(&path).and_then(|case| case.prepare(&Limits::default())).unwrap();
+        for subject in prepared.iter().flat_map(|case| &case.subjects) {
+            let row = format!("| {}: {} |", subject.kind(), subject.name);
+            assert!(table.contains(&row), "docs/power.md has no row of {} in {}", subject.name, path.display());
+        }
     }
 }
 

@@ -143,6 +143,12 @@ impl Majorants {
         Self { mu_bar: self.mu_bar.iter().map(|&x| change(x)).collect(), ..self.clone() }
     }
 
+    /// The same bounds and knowledge on segments whose ends are moved by `change`, which must keep their order.
+    #[must_use]
+    pub fn map_ends(&self, change: impl Fn(f64) -> f64) -> Self {
+        Self { ends: self.ends.iter().map(|&end| change(end)).collect(), ..self.clone() }
+    }
+
     /// The same, with each bound raised to the greatest mu of `medium` where that exceeds it.
     #[must_use]
     pub(crate) fn raised(mut self, medium: &dyn Medium) -> Self {

@@ -109,7 +109,7 @@ impl Worker {
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
         let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
         let counts = Counts { cells, ends, collisions, tails, ..Counts::default() };
-        Self { draws: columns(subject, BLOCK), index: Vec::new(), masked: Vec::new(), counts }
+        Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
     /// One block; `first` says whether it is among the first of its range.
@@ -342,7 +342,7 @@ pub fn collect(
         for block in wave {
             collected.fold(&block.map_err(Stopped::Subject)?);
         }
-        (watch.progress)((end - start) * BLOCK as u64);
+        (watch.progress)((end - start) * subject.rows as u64);
         start = end;
     }
     collected.counts = workers.counts().unwrap_or_default();

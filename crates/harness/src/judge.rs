@@ -4,7 +4,7 @@ use crate::collect::Collected;
 use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
-use crate::subject::{BLOCK, Scene, Subject, Work};
+use crate::subject::{Scene, Subject, Work};
 use crate::tally::{CellTally, Extremes, PowerSums};
 use crate::test;
 use crate::verdict::Reason;
@@ -45,7 +45,7 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
         judged.evidence.push(test::poisson_count(counts, mean, subject.tolerance));
     }
     if let Some(expected) = plan.lookups {
-        judged.evidence.push(test::lookups(&seen.counts.lookups, BLOCK, expected, subject.tolerance));
+        judged.evidence.push(test::lookups(&seen.counts.lookups, subject.rows, expected, subject.tolerance));
     }
     judged
 }

@@ -24,7 +24,7 @@
 //! # Ok::<(), freepath_estimators::ParameterError>(())
 //! ```
 //!
-//! Cases are read by [`case::CaseFile`] and run by [`run::run`].
+//! Cases are read by [`case::CaseFile`] and run by [`run::run`]; [`power::power`] finds how many draws a fault needs to be seen.
 
 pub mod agree;
 pub mod assert;
@@ -32,6 +32,7 @@ pub mod audit;
 pub mod case;
 pub mod collect;
 pub mod decide;
+pub mod describe;
 pub mod diagnose;
 pub mod evidence;
 pub mod fault;
@@ -41,6 +42,7 @@ pub mod law;
 pub mod microscope;
 pub mod noiseless;
 pub mod plan;
+pub mod power;
 pub mod ranking;
 pub mod real;
 pub mod results;

@@ -8,12 +8,14 @@ mod grown;
 mod law;
 mod mean;
 mod medium;
+mod power;
 mod ranking;
 
 pub use grown::{Grown, GrownOutcome};
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
+pub use power::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
 pub use ranking::{Ranked, RankedPair, Ranking, Refused};
 
 /// The version of this format. Fields are added, never renamed.
@@ -85,6 +87,9 @@ pub struct SubjectResult {
     pub as_expected: bool,
     /// Names of planted faults, laid in this order.
     pub faults: Vec<String>,
+    /// The setting hides the planted faults from the plain statistical tests.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub innocent: bool,
     /// Draws asked for in stage 1.
     pub draws_requested: u64,
     /// Draws taken in stage 1: whole blocks.

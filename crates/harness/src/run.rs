@@ -61,13 +61,13 @@ pub struct Outcome {
 pub struct Cancelled;
 
 /// One subject on its way through the stages.
-struct Trial<'a> {
+pub(crate) struct Trial<'a> {
     case: &'a Prepared,
-    prepared: &'a PreparedSubject,
+    pub(crate) prepared: &'a PreparedSubject,
     subject: Subject<'a>,
-    plan: Plan,
-    first: Stage1,
-    second: Option<(Judged, u64)>,
+    pub(crate) plan: Plan,
+    pub(crate) first: Stage1,
+    pub(crate) second: Option<(Judged, u64)>,
     seconds: f64,
 }
 
@@ -80,8 +80,8 @@ impl Trial<'_> {
 }
 
 /// What stage 1 gave.
-struct Stage1 {
-    judged: Judged,
+pub(crate) struct Stage1 {
+    pub(crate) judged: Judged,
     collected: Option<Collected>,
     grown: Option<Grown>,
 }
@@ -95,14 +95,13 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     plan_stage_one(cases, options);
     for case in cases {
         for prepared in &case.subjects {
-            trials.push(stage_one(case, prepared, options)?);
+            let subject = prepared.runnable(&case.world, &case.case);
+            trials.push(stage_one(case, prepared, subject, options)?);
         }
     }
     let mut suspects: Vec<_> = trials.iter_mut().filter(|trial| trial.goes_on()).collect();
     for trial in &suspects {
-        let draws = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
-        let draws = draws.unwrap_or(2 * whole(trial.subject.draws));
-        (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
+        plan_stage_two(trial, options);
     }
     for trial in &mut suspects {
         stage_two(trial, options)?;
@@ -120,17 +119,46 @@ fn plan_stage_one(cases: &[Prepared], options: &Options) {
     }
 }
 
+fn plan_stage_two(trial: &Trial, options: &Options) {
+    let file = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
+    let draws = file.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
+    (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
+}
+
+/// One subject through stage 1 and, if it goes on, stage 2: as in a run, but for the decision, which is not made. With other
+/// draws than the case's if `draws` says so: below a block, each block is cut short.
+pub(crate) fn tried<'a>(
+    case: &'a Prepared,
+    prepared: &'a PreparedSubject,
+    draws: Option<u64>,
+    options: &Options,
+) -> Result<Trial<'a>, Cancelled> {
+    let mut subject = prepared.runnable(&case.world, &case.case);
+    subject.draws = draws.unwrap_or(subject.draws);
+    if draws.is_some_and(|draws| draws < BLOCK as u64) {
+        subject.rows = subject.draws as usize;
+    }
+    let planned = Subject::blocks(subject.draws) * subject.rows as u64;
+    (options.progress)(Progress::Planned(prepared.settings() * planned), &prepared.name);
+    let mut trial = stage_one(case, prepared, subject, options)?;
+    if trial.goes_on() {
+        plan_stage_two(&trial, options);
+        stage_two(&mut trial, options)?;
+    }
+    Ok(trial)
+}
+
 /// Draws in whole blocks.
-fn whole(draws: u64) -> u64 {
+pub(crate) fn whole(draws: u64) -> u64 {
     Subject::blocks(draws) * BLOCK as u64
 }
 
 fn stage_one<'a>(
     case: &'a Prepared,
     prepared: &'a PreparedSubject,
+    subject: Subject<'a>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let subject = prepared.runnable(&case.world, &case.case);
     let mut plan = Plan::of(&subject);
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);

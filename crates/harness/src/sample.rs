@@ -1,7 +1,7 @@
 //! One block of draws: the subject is run behind its faults and the audit, and nothing that it does gets out.
 
 use crate::audit::{Audit, Audited};
-use crate::fault::{BlockPlace, Faulty, lay_over_draws};
+use crate::fault::{BlockPlace, Fault, Faulty, Site, Wrapped};
 use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_estimators::claims::Channel;
@@ -54,8 +54,8 @@ pub enum Unfinished {
 pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
     let record = sample_from(subject, Streams::new(key), draws)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-    let place = BlockPlace { key, first };
-    lay_over_draws(subject.faults, place, draws, &|channel, t| mixture_over_channel(subject, channel, t));
+    let place = BlockPlace { key: faulty_key(subject, key), first, subject };
+    subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
     Ok(record)
 }
 
@@ -65,7 +65,7 @@ pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) 
 /// If the subject panics or runs past its budget.
 pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Result<BlockRecord, Unfinished> {
     let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
-    let (streams, shape) = (streams.with_budget(budget), shape(draws));
+    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
@@ -81,6 +81,21 @@ pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Re
         return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
     Ok(BlockRecord { audit, seconds: started.elapsed().as_secs_f64() })
+}
+
+/// The address of the randomness that `subject` uses at `key`.
+fn faulty_key(subject: &Subject, key: Key) -> Key {
+    subject.faults.iter().fold(key, |key, fault| fault.key(key))
+}
+
+/// The streams that `subject` uses in place of `streams`.
+fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
+    let key = faulty_key(subject, streams.key());
+    match streams.script() {
+        _ if key == streams.key() => streams,
+        Some(script) => Streams::new(key).scripted(script.clone()),
+        None => Streams::new(key),
+    }
 }
 
 /// No draw of an earlier block may stand in for one that the subject forgets to write.
@@ -115,11 +130,11 @@ fn grey(
 ) -> (Audit, bool) {
     let rounding = if subject.bits <= 24 { 1e-6 } else { 1e-12 };
     let audited = Audited::new(&seen, budget, rounding);
-    let clean = !subject.faults.iter().any(crate::fault::Fault::spoils_lookups);
+    let clean = !Fault::spoil_lookups(subject.faults);
     if clean && subject.route == Route::Block {
         block(subject.work, truth, &audited, streams, draws);
     } else {
-        let faulty = Faulty::new(&audited, subject.faults);
+        let faulty = Faulty::new(Site { medium: &audited, key: streams.key() }, subject.faults);
         if subject.one_by_one() {
             one_by_one(subject.work, truth, &faulty, streams, draws);
         } else {
@@ -139,16 +154,21 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
 }
 
 fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams, draws: &mut Draws) {
-    let mut rng = streams.rng();
+    let mut rng = Wrapped::new(streams.rng(), medium.overlays());
     for row in 0..draws.rows {
-        medium.begin();
-        let path = match work {
-            Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
-            Work::Transmittance(estimator) => {
-                FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
+        let path = loop {
+            medium.begin();
+            let path = match work {
+                Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
+                Work::Transmittance(estimator) => {
+                    FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
+                }
+                Work::Exact | Work::ClosedForm => return from_truth(work, truth, streams, draws),
+                Work::Chromatic(_) | Work::Samples(..) => return,
+            };
+            if let Some(path) = medium.finish(path) {
+                break path;
             }
-            Work::Exact | Work::ClosedForm => return from_truth(work, truth, streams, draws),
-            Work::Chromatic(_) | Work::Samples(..) => return,
         };
         draws.put(row, path.t, path.weight, path.collisions);
     }
@@ -195,18 +215,4 @@ fn chromatic(
     }
     let record = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
     (record, audited.iter().any(Audited::spent))
-}
-
-/// The pdf of the mixture over that of one channel, at t or at the surface.
-fn mixture_over_channel(subject: &Subject, channel: usize, t: f64) -> f64 {
-    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
-        return 1.0;
-    };
-    let channels = medium.channels();
-    let Some(one) = channels.get(channel) else {
-        return f64::NAN;
-    };
-    let (mu, length) = (one.extinction.mu(0.0), medium.length());
-    let alone = if t.is_finite() { mu * libm::exp(-mu * t) } else { libm::exp(-mu * length) };
-    sampler.pdf(&channels, t).unwrap_or(f64::NAN) / alone
 }

@@ -1,7 +1,7 @@
 //! A subject ready to run: what is under test, in which medium, under which faults.
 
 use crate::case::{BiasBound, Claim};
-use crate::fault::{Fault, needs_scalar};
+use crate::fault::Fault;
 use crate::samples::{SampleKind, SampleSource};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::UNIFORM_BITS;
@@ -76,6 +76,8 @@ pub struct Subject<'a> {
     pub key: u64,
     /// Draws of stage 1.
     pub draws: u64,
+    /// Draws of each block: [`BLOCK`], or fewer where a single block is more than is asked for.
+    pub rows: usize,
     /// Draws at which growth ends.
     pub budget: u64,
     /// What growth aims at.
@@ -103,6 +105,7 @@ impl<'a> Subject<'a> {
             scene,
             key: 0,
             draws: DRAWS,
+            rows: BLOCK,
             budget: 64 * DRAWS,
             bias_bound: None,
             tolerance: 0.0,
@@ -123,7 +126,7 @@ impl<'a> Subject<'a> {
     /// Whether the scalar method is driven: by choice, or since a fault asks for it.
     #[must_use]
     pub fn one_by_one(&self) -> bool {
-        self.route == Route::Scalar || needs_scalar(self.faults)
+        self.route == Route::Scalar || Fault::need_scalar(self.faults)
     }
 
     /// Whole blocks that hold `draws` draws.

@@ -92,5 +92,4 @@ pub const NAMES: &[(&str, &str)] = &[
         "pdf_integral",
         "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",
     ),
-    ("bound", "A fact, not a p-value: one look-up above the majorant fails a subject that relies on the bound."),
 ];

@@ -10,16 +10,17 @@ use freepath_harness::test::{BlockLookups, lookups};
 const ROWS: usize = 16_384;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
-    [20, 30, 61, 200, 1000].into_iter().map(|blocks| row(effort, blocks)).collect()
+    let settings = [20, 61, 1000].into_iter().flat_map(|blocks| [1.05, 1.5, 4.0].map(|over| (blocks, over)));
+    settings.map(|(blocks, over)| row(effort, blocks, over)).collect()
 }
 
-/// Totals of blocks in which few draws look up, once each: the variance of all is 400, the least that is let in.
-fn row(effort: Effort, blocks: u64) -> Row {
-    let mean = 1.02 * 400.0 / blocks as f64;
-    let totals: Vec<f64> = (0..200).map(f64::from).collect();
+/// Totals of blocks in which few draws look up, once each: the variance of all is `over` times 1111, the least that is let in.
+fn row(effort: Effort, blocks: u64, over: f64) -> Row {
+    let mean = over * 1111.0 / blocks as f64;
+    let totals: Vec<f64> = (0..500).map(f64::from).collect();
     let law = Finite::new(totals, |k| libm::exp(k * libm::log(mean) - mean - libm::lgamma(k + 1.0)));
     let expected = law.spread().0 / ROWS as f64;
-    let setting = format!("{blocks} blocks, Poisson totals of mean {mean:.2}");
+    let setting = format!("{blocks} blocks, Poisson totals of mean {mean:.2}, variance {over} times the least");
     Row::new("lookups", setting, true, |level| {
         let t = quantile(|t| student_t_two_sided(blocks as f64 - 1.0, t), level);
         let side = |sign: f64| {

@@ -18,7 +18,8 @@ enum Aim {
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (aim, gate) in [(Aim::Student, 0.0299), (Aim::Hall, 0.0999)] {
+    let gates = [(Aim::Student, 0.015), (Aim::Student, 0.0299), (Aim::Hall, 0.06), (Aim::Hall, 0.0999)];
+    for (aim, gate) in gates {
         for n in [1u64 << 14, 1 << 16, 1 << 20] {
             let skewness = gate * (n as f64).sqrt();
             for (name, law) in laws(skewness) {
@@ -48,7 +49,7 @@ fn laws(skewness: f64) -> Vec<(String, Finite)> {
         [(name.to_string(), law), (format!("{name}, mirrored"), mirrored)]
     };
     let mut all: Vec<_> = pair("coin", coin(skewness)).into();
-    if skewness < 20.0 {
+    if skewness < 30.0 {
         all.extend(pair("gamma", gamma(skewness)));
     }
     all
@@ -60,13 +61,15 @@ fn coin(skewness: f64) -> Finite {
     Finite::coin(p)
 }
 
-/// The gamma law of this skewness, 2 / sqrt(shape), on a grid.
+/// The gamma law of this skewness, 2 / sqrt(shape), on a grid: x^(shape - 1) is integrated over each cell, e^-x is not.
 fn gamma(skewness: f64) -> Finite {
     let shape = 4.0 / (skewness * skewness);
     let most = shape + 12.0 * shape.sqrt() + 40.0;
-    let points: Vec<f64> = (0..160).map(|i| most * libm::pow((f64::from(i) + 0.5) / 160.0, 3.0)).collect();
-    // the grid is cubic, so that each point stands for a width in proportion to x^(2/3)
-    Finite::new(points, |x| libm::exp((shape - 1.0 / 3.0) * libm::log(x) - x))
+    let edge = |x: f64| most * libm::pow(x / 160.0, 3.0);
+    let points: Vec<f64> = (0..160).map(|i| edge(f64::from(i) + 0.5)).collect();
+    let power = |x: f64| libm::pow(edge(x), shape);
+    let mut cell = (0..160).map(|i| power(f64::from(i) + 1.0) - power(f64::from(i)));
+    Finite::new(points, |x| cell.next().unwrap_or(0.0) * libm::exp(-x))
 }
 
 /// exp(sigma Z) to Z = 6.

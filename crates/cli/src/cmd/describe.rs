@@ -4,11 +4,15 @@ use crate::args::Describe;
 use crate::reference::{Entry, Field, entries};
 use crate::screen;
 use crate::trouble::Trouble;
+use freepath_harness::test::family;
 
-/// Prints all that is known of a name; of each, if it names several things.
+/// Prints all that is known of a name; of each, if it names several things. A test goes by the names of its claims as well:
+/// `own_atom`, `scatter_0`.
 pub(crate) fn describe(args: &Describe) -> Result<u8, Trouble> {
     let entries = entries();
-    let found: Vec<_> = entries.iter().filter(|entry| entry.name == args.name).map(text).collect();
+    let known = entries.iter().any(|entry| entry.name == args.name);
+    let name = if known { args.name.as_str() } else { family(&args.name) };
+    let found: Vec<_> = entries.iter().filter(|entry| entry.name == name).map(text).collect();
     if found.is_empty() {
         return Err(unknown(&args.name, &entries));
     }

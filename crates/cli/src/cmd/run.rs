@@ -2,23 +2,22 @@
 
 use crate::args::{Output, Run, When};
 use crate::cmd::report;
-use crate::progress::Bar;
+use crate::session::{Session, prepared, repro};
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, screen, signal, table};
+use crate::{files, screen, table};
 use freepath_estimators::simd;
-use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::case::Prepared;
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
-use freepath_harness::run::{self, Cancelled, Options, Outcome, exit_code, quoted};
-use std::io::{IsTerminal, stderr, stdout};
-use std::sync::atomic::{AtomicBool, Ordering};
+use freepath_harness::run::{self, Outcome, exit_code};
+use std::io::{IsTerminal, stdout};
 use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
-    simd::check_environment().map_err(Trouble::unusable)?;
-    let cases = prepared(args, color.colors(stderr().is_terminal()))?;
-    judge(&cases, args.seed, repro(args), &args.output, color)
+    let Run { paths, sampling, output } = args;
+    let cases = prepared(paths, sampling, &output.out, color)?;
+    judge(&cases, sampling.seed, repro("run", paths, sampling), output, color)
 }
 
 /// Runs `cases`, shows what was found and writes the report.
@@ -29,10 +28,9 @@ pub(crate) fn judge(
     args: &Output,
     color: When,
 ) -> Result<u8, Trouble> {
-    files::open(&args.out)?;
-    let cancelled = signal::cancelled()?;
+    let session = Session::open(args, seed, repro)?;
     let start = Instant::now();
-    let outcome = drawn(args, cases, (seed, repro), &cancelled)?;
+    let outcome = session.draw(|options| run::run(cases, options))?;
     let text = freepath_report::json(&outcome.results).map_err(running)?;
     show(args, color, &outcome, &text)?;
     write(args, &outcome, &text, start)?;
@@ -44,52 +42,6 @@ pub(crate) fn judge(
 
 fn running(why: impl std::fmt::Display) -> Trouble {
     Trouble::Running(why.to_string())
-}
-
-fn prepared(args: &Run, color: bool) -> Result<Vec<Prepared>, Trouble> {
-    let limits = Limits {
-        draws: args.draws,
-        effort: match (args.quick, args.thorough) {
-            (true, _) => 0.1,
-            (_, true) => 10.0,
-            _ => 1.0,
-        },
-        allow_paths: args.allow_paths,
-    };
-    let cases = cases::prepare(&cases::find(&args.paths, &args.output.out)?, &limits, color)?;
-    match &args.filter {
-        Some(text) => filter::keep(cases, text),
-        None => Ok(cases),
-    }
-}
-
-fn drawn(
-    args: &Output,
-    cases: &[Prepared],
-    (seed, repro): (u64, String),
-    cancelled: &AtomicBool,
-) -> Result<Outcome, Trouble> {
-    // Zero threads stand for one per CPU.
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
-    let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
-    let bar = Bar::new(args.quiet);
-    let options = Options { seed, cancelled, progress: &|progress, subject| bar.tell(progress, subject), repro };
-    let outcome = pool.install(|| run::run(cases, &options)).map_err(|Cancelled| Trouble::Interrupted)?;
-    match cancelled.load(Ordering::Relaxed) {
-        true => Err(Trouble::Interrupted),
-        false => Ok(outcome),
-    }
-}
-
-/// The command with every flag that the results depend on.
-fn repro(args: &Run) -> String {
-    let mut words = vec!["freepath run".to_string()];
-    words.extend(args.paths.iter().map(|path| quoted(&path.display().to_string())));
-    words.push(format!("--seed {}", args.seed));
-    words.extend(args.draws.map(|draws| format!("--draws {draws}")));
-    let flags = [(args.quick, "--quick"), (args.thorough, "--thorough"), (args.allow_paths, "--allow-paths")];
-    words.extend(flags.iter().filter(|(set, _)| *set).map(|(_, flag)| (*flag).to_string()));
-    words.join(" ")
 }
 
 fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {

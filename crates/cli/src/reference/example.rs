@@ -8,6 +8,9 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
     let used = match body {
         Value::Null => json!(name),
         _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
+        _ if (kind, name) == ("medium", "formula") => {
+            json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
+        }
         _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         body => json!({ name: value(schema, name, body) }),
     };
@@ -71,6 +74,8 @@ fn by_name(name: &str) -> Option<Value> {
         "origin" => json!([-1.0, 1.25, 0.75]),
         "direction" => json!([1.0, 0.25, 0.125]),
         "factor" => json!(0.8),
+        "times" => json!(2.0),
+        "along" => json!(-1.0),
         "channel" | "walk" => json!(0),
         "of" => json!(1000),
         "share" => json!(0.01),

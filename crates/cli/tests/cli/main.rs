@@ -3,6 +3,7 @@
 mod input;
 mod medium;
 mod output;
+mod power;
 mod reference;
 mod samples;
 mod signals;

@@ -30,6 +30,21 @@ fn every_name_is_listed_with_a_sentence_and_described() {
 }
 
 #[test]
+fn a_test_is_described_in_short_under_each_of_its_names() {
+    let folder = folder("short_forms");
+    for name in ["mean", "scatter_0_bin_3", "surface_1"] {
+        let (code, out, _) = run(&folder, &["describe", name]);
+        assert!(
+            code == 0 && out.starts_with("mean (test)") && out.contains("Gate:") && out.contains("Source:"),
+            "{out}"
+        );
+    }
+    assert!(run(&folder, &["describe", "own_atom"]).1.contains("X ~ Bin(n, T)"));
+    assert!(run(&folder, &["describe", "audit"]).1.contains("bound_violated"));
+    assert!(run(&folder, &["describe", "heavy_tail"]).1.contains("Causes:"));
+}
+
+#[test]
 fn a_misspelt_name_gets_a_suggestion() {
     let (code, out, err) = run(&folder("misspelt"), &["describe", "delta_trakcing"]);
     assert_eq!((code, out.as_str()), (2, ""));
@@ -51,8 +66,8 @@ fn every_example_can_be_run() {
     let folder = folder("examples");
     for (i, entry) in listed(&folder).iter().enumerate() {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());
-        // A test and a check have no place in a case, and there is no volume to read.
-        if ["test", "check"].contains(&kind) || name == "voxel_grid" {
+        // A test and a check have no place in a case, a fault fits some subjects only, and there is no volume to read.
+        if ["test", "check", "fault"].contains(&kind) || name == "voxel_grid" {
             continue;
         }
         if (kind, name) == ("chromatic", "samples") {
@@ -67,6 +82,32 @@ fn every_example_can_be_run() {
     put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet"]);
     assert!(code < 2 || code == 4, "{err}");
+}
+
+#[test]
+fn every_fault_can_be_planted_as_its_example_says() {
+    let folder = folder("faults");
+    let cells = json!({ "piecewise_constant": { "edges": [0.0, 0.75, 2.0], "values": [3.0, 5.0] } });
+    let channels = json!({ "chromatic": { "sigma_t": [0.0, 1.0], "sigma_s": [0.0, 0.0], "length": 2.0 } });
+    let grey = [
+        json!({ "free_path": { "delta_tracking": {} } }),
+        json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
+        json!({ "transmittance": { "ratio_tracking": {} } }),
+        json!({ "transmittance": { "residual_ratio_tracking": { "control": "mean" } } }),
+    ];
+    let chromatic = [json!({ "chromatic": { "balance": {} } }), json!({ "chromatic": { "single_channel": {} } })];
+    let places = grey.iter().map(|subject| (&cells, subject));
+    let places: Vec<_> = places.chain(chromatic.iter().map(|subject| (&channels, subject))).collect();
+    for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
+        let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
+        let fits = places.iter().any(|(medium, subject)| {
+            let mut case = json!({ "title": "A fault", "medium": medium, "subjects": [subject] });
+            case["subjects"][0]["fault"] = fault["fault"].clone();
+            put(&folder, "fault.json", &case.to_string());
+            run(&folder, &["run", "fault.json", "--draws", "1", "--quiet"]).0 != 2
+        });
+        assert!(fits, "{fault}");
+    }
 }
 
 fn case(kind: &str, example: &Value) -> Value {

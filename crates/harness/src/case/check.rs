@@ -29,11 +29,23 @@ impl CaseFile {
                 let why = format!("there are two subjects named \"{name}\" (give one a `name` of its own)");
                 return Err(self.refuse(&at, why));
             }
-            for (j, fault) in subject.fault.iter().flat_map(|faults| faults.0.iter().enumerate()) {
-                fault.check().map_err(|why| self.refuse(&format!("{at}.fault"), format!("fault {j}: {why}")))?;
+            for fault in subject.fault.iter().flat_map(|faults| &faults.0) {
+                let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
+                fault.check().map_err(refused)?;
             }
+            self.check_innocent(&at, subject)?;
         }
         self.check_effort()
+    }
+
+    /// An innocent setting hides a fault, and says what is to be found all the same.
+    fn check_innocent(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
+        let faults = subject.fault.as_ref().map_or(0, |faults| faults.0.len());
+        if subject.innocent && (faults == 0 || subject.expect.is_none()) {
+            let why = "an innocent setting needs what it hides and what is expected (a `fault` and an `expect`)";
+            return Err(self.refuse(&format!("{at}.innocent"), why));
+        }
+        Ok(())
     }
 
     fn check_kind(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {

@@ -1,4 +1,6 @@
-use crate::fault::Fault;
+use super::{CaseError, CaseFile, Subject, World};
+use crate::fault::{Fault, Target};
+use freepath_estimators::Medium;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -39,5 +41,29 @@ impl JsonSchema for Faults {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let (one, many) = (generator.subschema_for::<Fault>(), generator.subschema_for::<Vec<Fault>>());
         json_schema!({ "anyOf": [one, many] })
+    }
+}
+
+impl CaseFile {
+    /// Refuses a fault that cannot be laid over this subject in this medium.
+    pub(super) fn check_faults(
+        &self,
+        at: &str,
+        spec: &Subject,
+        world: &World,
+        truth: Option<&dyn Medium>,
+    ) -> Result<(), CaseError> {
+        let (kind, estimator) = spec.kind();
+        let json = serde_json::to_value(spec).unwrap_or_default();
+        let channels = match world {
+            World::Chromatic(medium) => Some(medium),
+            World::Grey(_) => None,
+        };
+        let target = Target { kind, estimator, parameters: &json[kind][estimator], medium: truth, channels };
+        let mut faults = spec.fault.iter().flat_map(|faults| &faults.0);
+        faults.try_for_each(|fault| {
+            let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
+            fault.fits(&target).map_err(refused)
+        })
     }
 }

@@ -45,16 +45,12 @@ impl CaseFile {
             );
             return Err(self.refuse(&stated, why));
         }
-        let factor = |fault: &Fault| match fault {
-            Fault::ShortMajorant { factor } | Fault::ClampedDensity { factor } => *factor,
-            _ => 1.0,
-        };
-        let factor: f64 = faults.iter().map(factor).product();
-        if !faults.iter().any(Fault::shortens_majorant) {
+        let majorants = truth.majorants().clone();
+        let seen = faults.iter().fold(majorants, |bounds, fault| fault.bounds(&**truth, bounds));
+        if seen == *truth.majorants() {
             return Ok(truth.clone());
         }
-        let majorants = truth.majorants().map_bounds(|mu_bar| factor * mu_bar);
-        Ok(Arc::new(Under::new(truth.clone(), majorants)))
+        Ok(Arc::new(Under::new(truth.clone(), seen)))
     }
 
     /// Kind against medium.

@@ -174,9 +174,13 @@ impl CaseFile {
         let (truth, seen) = match world {
             World::Grey(medium) => {
                 let truth = self.truth(&at, spec, medium)?;
+                self.check_faults(&at, spec, world, Some(&*truth))?;
                 (Some(truth.clone()), Some(self.seen(&at, (spec, work), &truth, &faults)?))
             }
-            World::Chromatic(_) => (None, None),
+            World::Chromatic(_) => {
+                self.check_faults(&at, spec, world, None)?;
+                (None, None)
+            }
         };
         self.check_fit(&at, (spec, work), world, seen.as_deref())?;
         let variants = self.variants(i, work, truth.as_ref(), &faults)?;

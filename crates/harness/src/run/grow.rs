@@ -39,12 +39,6 @@ pub(super) struct Growth<'a> {
     pub(super) planned: &'a dyn Fn(u64),
 }
 
-/// How growing went on.
-enum Next {
-    Draws(Collected),
-    Broken,
-}
-
 impl Growth<'_> {
     /// Grows the draws of stage 1 if the case asks for a bound: what was reached, with evidence, facts and gates in `judged`.
     pub(super) fn towards_bound(
@@ -66,8 +60,8 @@ impl Growth<'_> {
                     let blocks = Subject::blocks(seen.draws);
                     question.bet(plan, &seen);
                     match self.more(subject, plan, at..at + blocks, judged)? {
-                        Next::Draws(more) => seen.merge(more),
-                        Next::Broken => return Ok(None),
+                        Some(more) => seen.merge(more),
+                        None => return Ok(None),
                     }
                     at += blocks;
                     continue;
@@ -100,31 +94,31 @@ impl Growth<'_> {
             let blocks = if left < double { left } else { double };
             question.bet(plan, &seen);
             match self.more(subject, plan, at..at + blocks, judged)? {
-                Next::Draws(more) => seen.merge(more),
-                Next::Broken => return Ok(seen.draws),
+                Some(more) => seen.merge(more),
+                None => return Ok(seen.draws),
             }
             at += blocks;
         }
     }
 
-    /// The draws of more blocks. A fact in them counts as any other.
+    /// The draws of more blocks; none if the subject does not finish them. A fact in them counts as any other.
     fn more(
         &self,
         subject: &Subject,
         plan: &Plan,
         blocks: std::ops::Range<u64>,
         judged: &mut Judged,
-    ) -> Result<Next, Cancelled> {
+    ) -> Result<Option<Collected>, Cancelled> {
         (self.planned)((blocks.end - blocks.start) * BLOCK as u64);
         match collect(subject, plan, self.seed, blocks, self.watch) {
             Ok(more) => {
                 judged.facts.extend(judge(subject, plan, &more).facts);
-                Ok(Next::Draws(more))
+                Ok(Some(more))
             }
             Err(Stopped::Cancelled) => Err(Cancelled),
             Err(Stopped::Subject(why)) => {
                 judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
-                Ok(Next::Broken)
+                Ok(None)
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
+use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan, Plan};
 use crate::real::Real;
 use crate::results::{
     Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
@@ -30,9 +30,7 @@ pub(super) fn result(
     let Trial { case, prepared, plan, .. } = trial;
     let (expected, by_design, as_expected) = expectation(trial, &decision);
     let (seen, grown) = (trial.first.collected.as_ref(), grown(trial, first, second));
-    let known = seen.filter(|_| plan.known);
-    let mean = plan.mean.as_ref().zip(known.and_then(|seen| seen.mean));
-    let cells = plan.law.as_ref().zip(known.and_then(|seen| seen.counts.cells.as_ref()));
+    let (mean, cells) = collected(plan, seen.filter(|_| plan.known));
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -51,6 +49,7 @@ pub(super) fn result(
         expected_by_design: by_design,
         as_expected,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
+        innocent: prepared.spec.innocent,
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
         draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
@@ -67,6 +66,16 @@ pub(super) fn result(
         efficiency: efficiency(trial, decision.verdict),
         order: order(trial),
     }
+}
+
+/// What was collected of the mean and of the law, each with its claim.
+#[expect(clippy::type_complexity, reason = "two pairs, taken apart at once")]
+fn collected<'a>(
+    plan: &'a Plan,
+    seen: Option<&'a Collected>,
+) -> (Option<(&'a MeanPlan, PowerSums)>, Option<(&'a LawPlan, &'a CellTally)>) {
+    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
+    (mean, plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref())))
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {

@@ -35,9 +35,9 @@ mod tests {
     fn a_mixture_neither_overflows_nor_drops_nan() {
         let close = |x: f64, y: f64| (x - y).abs() < 1e-12 * y.abs();
         assert!(close(ln_mean_exp([1000.0, 1000.0].into_iter()), 1000.0));
-        assert!(close(ln_mean_exp([-1000.0, -5000.0].into_iter()), -1000.0 - 2f64.ln()));
+        assert!(close(ln_mean_exp([-1000.0, -5000.0].into_iter()), -1000.0 - std::f64::consts::LN_2));
         assert!(ln_mean_exp([1.0, f64::NAN].into_iter()).is_nan());
-        assert_eq!(ln_mean_exp([f64::INFINITY, 1.0].into_iter()), f64::INFINITY);
+        assert!(ln_mean_exp([f64::INFINITY, 1.0].into_iter()) >= f64::INFINITY);
     }
 
     #[test]

@@ -65,8 +65,8 @@ mod tests {
 
     #[test]
     fn what_cannot_happen_is_infinitely_unlikely() {
-        assert_eq!(ln_beta_binomial_ratio((1.0, 1.0), 9, 1, 0.0), f64::INFINITY);
-        assert_eq!(ln_beta_binomial_ratio((1.0, 1.0), 9, 9, 1.0), 0.0);
+        assert!(ln_beta_binomial_ratio((1.0, 1.0), 9, 1, 0.0) >= f64::INFINITY);
+        assert!(ln_beta_binomial_ratio((1.0, 1.0), 9, 9, 1.0).abs() <= 0.0);
         assert!(ln_beta_binomial_ratio((1.0, 1.0), 9, 1, f64::NAN).is_nan());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::chi_square::lessened;
 use super::mean::{corrected_p, gate};
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
 use crate::tally::{CellTally, PowerSums};
 use crate::verdict::Reason;
@@ -43,6 +43,7 @@ pub fn agree_atom(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reaso
     let shares = [a, b].map(|tally| tally.escapes as f64 / tally.draws() as f64);
     let p = counts_p([a.escapes, b.escapes], [a.draws(), b.draws()], slack);
     Evidence::new(name, shares[0] - shares[1], None, p, reason)
+        .under(Null::Conservative)
         .noted(format!("{:.6} of the draws escape, and {:.6} in the other setting", shares[0], shares[1]))
 }
 
@@ -72,7 +73,7 @@ pub fn agree_law(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reason
     let least = if of_cells < of_atom || of_cells.is_nan() { of_cells } else { of_atom };
     let p = if 2.0 * least > 1.0 { 1.0 } else { 2.0 * least };
     let note = format!("{}; p {of_atom:.2e} by escapes, {of_cells:.2e} by cells", atom.note);
-    Evidence::new(name, statistic, Some(dof), p, reason).noted(note)
+    Evidence::new(name, statistic, Some(dof), p, reason).under(Null::Conservative).noted(note)
 }
 
 /// Neighbouring fine cells taken together until both samples have enough between them; a rest joins the last.
@@ -115,19 +116,19 @@ pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evide
     let note = format!("mean {:.6e}, and {:.6e} in the other setting", means[0], means[1]);
     let evidence = |statistic, p| Evidence::new(name, statistic, None, p, Reason::Biased).noted(note.clone());
     if sample.binary && [a, b].iter().all(|sums| sums.zeros + sums.ones == sums.n && sums.n > 0) {
-        return evidence(apart, counts_p([a.ones, b.ones], [a.n, b.n], sample.slack));
+        return evidence(apart, counts_p([a.ones, b.ones], [a.n, b.n], sample.slack)).under(Null::Conservative);
     }
     if a.constant() && b.constant() && telling(a) && telling(b) {
-        return evidence(apart, f64::from(u8::from(apart.abs() <= 0.0)));
+        return evidence(apart, f64::from(u8::from(apart.abs() <= 0.0))).under(Null::Conservative);
     }
     let gates =
         [a, b].map(|sums| if sums.constant() { (false, false) } else { gate(sums.skewness(), sums.n as f64) });
-    let t = if apart == 0.0 { 0.0 } else { apart / error };
+    let (t, null) = (if apart == 0.0 { 0.0 } else { apart / error }, Null::lessened(sample.slack, error));
     match sample.range {
-        _ if gates.iter().all(|gate| gate.0) => evidence(t, normal_two_sided(t)),
-        _ if gates.iter().all(|gate| gate.1) => evidence(t, corrected_p(t, skewness([a, b]), 1.0)),
+        _ if gates.iter().all(|gate| gate.0) => evidence(t, normal_two_sided(t)).under(null),
+        _ if gates.iter().all(|gate| gate.1) => evidence(t, corrected_p(t, skewness([a, b]), 1.0)).under(null),
         Some(range) if [a, b].iter().all(|sums| sums.least >= range.0 && sums.greatest <= range.1) => {
-            evidence(apart, bernstein_p([a, b], range, apart))
+            evidence(apart, bernstein_p([a, b], range, apart)).under(Null::Conservative)
         }
         _ => Evidence::withheld(name, t, Reason::Biased, "the draws are too skew, and no range is known"),
     }

@@ -5,7 +5,7 @@ use freepath_harness::soak::{AlarmRate, LevelResult, SoakResults, SoakTest};
 /// Every test, then the alarms, then what is broken.
 pub(super) fn text(results: &SoakResults) -> String {
     let mut text = String::from(
-        "test             p-values are    number of   <= 0.1   <= 0.01  <= 0.001   below   above  check p\n",
+        "test              p-values are    number of   <= 0.1   <= 0.01  <= 0.001   below   above  check p\n",
     );
     text.extend(results.tests.iter().map(line));
     for of in &results.levels {
@@ -33,7 +33,7 @@ fn line(of: &SoakTest) -> String {
         (_, false) => "  NOT DECLARED",
     };
     format!(
-        "{:15}  {:12}  {:>11}  {:7.5}  {:8.6}  {:8.6}  {:6.4}  {:6.4}  {:7.1e}{verdict}\n",
+        "{:16}  {:12}  {:>11}  {:7.5}  {:8.6}  {:8.6}  {:6.4}  {:6.4}  {:7.1e}{verdict}\n",
         of.test,
         of.null,
         of.p_values,

@@ -1,6 +1,6 @@
 use super::super::subjects::distances;
 use crate::collect::Collected;
-use crate::evidence::{Evidence, REPORTING_LEVEL};
+use crate::evidence::{Evidence, Null, REPORTING_LEVEL};
 use crate::plan::{LawPlan, MeanPlan, Plan};
 use crate::sequence::{BetaBinomial, Bets, EmpiricalBernstein, Looks, dkw_band, dkw_p};
 use crate::subject::Subject;
@@ -155,6 +155,7 @@ impl Look {
     pub(super) fn evidence(&self, question: &Question, draws: u64) -> Evidence {
         let note = format!("{} after {draws} draws by {}", question.what(), self.method);
         let p = if self.p > 1.0 { 1.0 } else { self.p };
-        Evidence::new("growth", question.with_slack(self.bound), None, p, question.reason).noted(note)
+        let evidence = Evidence::new("growth", question.with_slack(self.bound), None, p, question.reason);
+        evidence.under(Null::Conservative).noted(note)
     }
 }

@@ -1,0 +1,85 @@
+//! What commands that draw have in common: cases in, a pool of threads, Ctrl-C, progress.
+
+use crate::args::{Output, Sampling, When};
+use crate::progress::Bar;
+use crate::trouble::Trouble;
+use crate::{cases, files, filter, signal};
+use freepath_estimators::simd;
+use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::run::{Cancelled, Options, quoted};
+use std::io::{IsTerminal, stderr};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A folder that can be written, and an ear for Ctrl-C.
+pub(crate) struct Session {
+    seed: u64,
+    repro: String,
+    /// Zero threads stand for one per CPU.
+    jobs: usize,
+    cancelled: Arc<AtomicBool>,
+    bar: Bar,
+}
+
+impl Session {
+    /// For draws under `seed`, which `repro` gives again.
+    pub(crate) fn open(output: &Output, seed: u64, repro: String) -> Result<Self, Trouble> {
+        files::open(&output.out)?;
+        let (jobs, bar) = (output.jobs.unwrap_or(0), Bar::new(output.quiet));
+        Ok(Self { seed, repro, jobs, cancelled: signal::cancelled()?, bar })
+    }
+
+    /// What `draw` gives, on as many threads as were asked for.
+    pub(crate) fn draw<T: Send>(
+        self,
+        draw: impl Fn(&Options) -> Result<T, Cancelled> + Sync,
+    ) -> Result<T, Trouble> {
+        let Self { seed, repro, jobs, cancelled, bar } = self;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+        let pool = pool.map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
+        let progress = |progress, subject: &str| bar.tell(progress, subject);
+        let options = Options { seed, cancelled: &cancelled, progress: &progress, repro };
+        let drawn = pool.install(|| draw(&options)).map_err(|Cancelled| Trouble::Interrupted)?;
+        match cancelled.load(Ordering::Relaxed) {
+            true => Err(Trouble::Interrupted),
+            false => Ok(drawn),
+        }
+    }
+}
+
+/// The subjects in `paths` that `args` select; `out`, where reports go, is not searched.
+pub(crate) fn prepared(
+    paths: &[PathBuf],
+    args: &Sampling,
+    out: &Path,
+    color: When,
+) -> Result<Vec<Prepared>, Trouble> {
+    simd::check_environment().map_err(Trouble::unusable)?;
+    let limits = Limits {
+        draws: args.draws,
+        effort: match (args.quick, args.thorough) {
+            (true, _) => 0.1,
+            (_, true) => 10.0,
+            _ => 1.0,
+        },
+        allow_paths: args.allow_paths,
+    };
+    let color = color.colors(stderr().is_terminal());
+    let cases = cases::prepare(&cases::find(paths, out)?, &limits, color)?;
+    match &args.filter {
+        Some(text) => filter::keep(cases, text),
+        None => Ok(cases),
+    }
+}
+
+/// The command with every flag that the results depend on.
+pub(crate) fn repro(verb: &str, paths: &[PathBuf], args: &Sampling) -> String {
+    let mut words = vec![format!("freepath {verb}")];
+    words.extend(paths.iter().map(|path| quoted(&path.display().to_string())));
+    words.push(format!("--seed {}", args.seed));
+    words.extend(args.draws.map(|draws| format!("--draws {draws}")));
+    let flags = [(args.quick, "--quick"), (args.thorough, "--thorough"), (args.allow_paths, "--allow-paths")];
+    words.extend(flags.iter().filter(|(set, _)| *set).map(|(_, flag)| (*flag).to_string()));
+    words.join(" ")
+}

@@ -1,0 +1,42 @@
+use super::{BlockPlace, Layer, Plant, Target};
+use freepath_estimators::parameter::require;
+use freepath_estimators::random::uniform;
+use freepath_estimators::{Draws, ParameterError};
+
+/// Now and then a draw repeats the one before it: a generator that is read twice.
+///
+/// ```text
+/// right: a fresh draw;   wrong: the draw before, with probability `share`
+/// ```
+///
+/// Shows in: ties and the order of the draws; each draw alone is right.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DuplicatedDraws {
+    /// The share of repeats.
+    share: f64,
+}
+
+impl Plant for DuplicatedDraws {
+    fn layer(&self) -> Layer {
+        Layer::Draws
+    }
+    fn check(&self) -> Result<(), ParameterError> {
+        require(self.share > 0.0 && self.share < 1.0, "share", self.share, "between 0 and 1").map(drop)
+    }
+    fn fits(&self, _target: &Target) -> Result<(), String> {
+        Ok(())
+    }
+    fn spoil(&self, at: &BlockPlace, draws: &mut Draws) {
+        let mut rng = at.rng();
+        for row in 1..draws.rows {
+            if uniform(&mut rng) < self.share {
+                for column in [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels) {
+                    if !column.is_empty() {
+                        column[row] = column[row - 1];
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+use crate::subject::{Scene, Subject, Work};
+use freepath_estimators::ChromaticSampler;
+use freepath_estimators::Key;
+use freepath_estimators::medium::ChromaticMedium;
+
+/// Where a block of draws stands, for faults that count walks, need random numbers, or must know whose draws they are.
+#[derive(Clone, Copy)]
+pub struct BlockPlace<'a> {
+    /// The block's key.
+    pub key: Key,
+    /// Number of the block's first draw.
+    pub first: u64,
+    /// Whose draws they are.
+    pub subject: &'a Subject<'a>,
+}
+
+/// A lane that no subject reads.
+pub(super) const FAULT_LANE: usize = 1000;
+
+impl<'a> BlockPlace<'a> {
+    /// Random numbers for faults.
+    pub(super) fn rng(&self) -> impl rand::Rng {
+        self.key.lane(FAULT_LANE)
+    }
+
+    /// The chromatic sampler and its channels.
+    pub(super) fn chromatic(&self) -> Option<(&'a dyn ChromaticSampler, &'a ChromaticMedium)> {
+        match (self.subject.work, self.subject.scene) {
+            (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Some((sampler, medium)),
+            _ => None,
+        }
+    }
+}

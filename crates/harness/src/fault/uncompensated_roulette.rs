@@ -1,0 +1,43 @@
+use super::{BlockPlace, Layer, Plant, Target};
+use freepath_estimators::parameter::{finite, require};
+use freepath_estimators::random::uniform;
+use freepath_estimators::{Draws, ParameterError};
+
+/// Estimates below a threshold die by roulette, and the survivors are not raised (Chunky, issue 1018; LuxCore, commit
+/// 44fc5bf1f).
+///
+/// ```text
+/// right: w := w / p on survival;   wrong: w := w
+/// ```
+///
+/// Shows in: the mean; hardly where the threshold is far below it.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UncompensatedRoulette {
+    /// Estimates below it play.
+    below: f64,
+    /// Probability of survival.
+    survival: f64,
+}
+
+impl Plant for UncompensatedRoulette {
+    fn layer(&self) -> Layer {
+        Layer::Draws
+    }
+    fn check(&self) -> Result<(), ParameterError> {
+        finite("below", self.below)?;
+        let allowed = self.survival > 0.0 && self.survival < 1.0;
+        require(allowed, "survival", self.survival, "between 0 and 1").map(drop)
+    }
+    fn fits(&self, target: &Target) -> Result<(), String> {
+        target.is_a("transmittance")
+    }
+    fn spoil(&self, at: &BlockPlace, draws: &mut Draws) {
+        let mut rng = at.rng();
+        for weight in &mut draws.weight {
+            if *weight < self.below && uniform(&mut rng) >= self.survival {
+                *weight = 0.0;
+            }
+        }
+    }
+}

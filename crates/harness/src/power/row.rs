@@ -1,0 +1,120 @@
+//! One subject, at growing draws.
+
+use super::outcome::Outcome;
+use super::words::words;
+use super::{FAMILY, FEWEST};
+use crate::case::{Prepared, PreparedSubject};
+use crate::decide::Decision;
+use crate::fault::Expectation;
+use crate::plan::Design;
+use crate::results::{PowerRow, Role, Rung};
+use crate::run::{Cancelled, Options, expected, id, tried, whole};
+use crate::verdict::{Reason, Verdict};
+
+/// What is expected of a row, and the reason that it must fail for, if a particular one.
+struct Aim {
+    role: Role,
+    reason: Option<Reason>,
+}
+
+impl Aim {
+    fn of(prepared: &PreparedSubject, design: Design) -> Self {
+        let (role, reason) = match (prepared.spec.expect, !prepared.faults.is_empty(), design) {
+            _ if prepared.spec.innocent => (Role::Hidden, None),
+            (Some(Expectation::Fail(reason)), ..) => (Role::Caught, Some(reason)),
+            (Some(Expectation::Pass), ..) => (Role::Passes, None),
+            (None, true, _) => (Role::Caught, None),
+            (None, false, Design::Seen) => (Role::Caught, Some(Reason::Biased)),
+            (None, false, Design::Unbiased | Design::Hidden) => (Role::Passes, None),
+            (Some(Expectation::Inconclusive(_)), ..) | (None, false, Design::Unsure) => (Role::Open, None),
+        };
+        Self { role, reason }
+    }
+
+    /// How many p-values the run is taken to hold: many where one must be seen, no others where all must be silent.
+    fn family(&self) -> usize {
+        if self.role == Role::Caught { FAMILY } else { 0 }
+    }
+}
+
+/// What was found of one subject.
+struct Found {
+    aim: Aim,
+    expected: String,
+    as_expected: bool,
+    silent: bool,
+    /// At full effort.
+    full: Outcome,
+    /// At the fewest draws, if those are fewer.
+    fewest: Option<Outcome>,
+    /// What was tried below the full effort.
+    ladder: Vec<Rung>,
+}
+
+/// One subject at full effort and, if it must be caught and is, at growing draws.
+pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options) -> Result<PowerRow, Cancelled> {
+    let trial = tried(case, prepared, None, options)?;
+    let (design, draws) = (trial.plan.design, whole(prepared.draws));
+    let aim = Aim::of(prepared, design);
+    let full = Outcome::of(&trial, draws, aim.family());
+    let silent = Outcome::of(&trial, draws, 0).silent();
+    let held = |decision: &Decision| expected(prepared.spec.expect, !prepared.faults.is_empty(), design, decision);
+    let (expected, _, as_expected) = held(&full.decision);
+    let mut found = Found { aim, expected, as_expected, silent, full, fewest: None, ladder: Vec::new() };
+    if found.caught() && prepared.source.is_none() {
+        let fails = |decision: &Decision| decision.verdict == Verdict::Fail && held(decision).2;
+        (found.fewest, found.ladder) = climb(case, prepared, options, &fails)?;
+    }
+    Ok(found.row(case, prepared))
+}
+
+/// The doublings below the full effort, up to the first at which the subject `fails` as it must; and that one.
+fn climb(
+    case: &Prepared,
+    prepared: &PreparedSubject,
+    options: &Options,
+    fails: &dyn Fn(&Decision) -> bool,
+) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
+    let (mut draws, mut ladder) = (FEWEST, Vec::new());
+    while draws < whole(prepared.draws) {
+        let outcome = Outcome::of(&tried(case, prepared, Some(draws), options)?, draws, FAMILY);
+        ladder.push(outcome.rung.clone());
+        if fails(&outcome.decision) {
+            return Ok((Some(outcome), ladder));
+        }
+        draws *= 2;
+    }
+    Ok((None, ladder))
+}
+
+impl Found {
+    fn caught(&self) -> bool {
+        self.aim.role == Role::Caught && self.as_expected
+    }
+
+    fn row(self, case: &Prepared, prepared: &PreparedSubject) -> PowerRow {
+        let decisive = self.fewest.as_ref().unwrap_or(&self.full);
+        PowerRow {
+            id: id(case, prepared),
+            file: case.file.clone(),
+            case: case.case.title.clone(),
+            ray: case.ray,
+            subject: prepared.name.clone(),
+            estimator: prepared.estimator().into(),
+            kind: prepared.kind().into(),
+            fault: prepared.faults.iter().map(words).collect::<Vec<_>>().join(" + "),
+            medium: words(&case.case.medium),
+            role: self.aim.role,
+            as_expected: self.as_expected && (self.aim.role != Role::Hidden || self.silent),
+            draws: self.full.rung.draws,
+            needed: self.caught().then_some(decisive.rung.draws),
+            first: decisive.first(self.aim.reason),
+            fired: decisive.fired.clone(),
+            silent: self.silent,
+            ladder: self.ladder.into_iter().chain([self.full.rung]).collect(),
+            verdict: self.full.decision.verdict,
+            reasons: self.full.decision.reasons,
+            expected: self.expected,
+        }
+    }
+}
