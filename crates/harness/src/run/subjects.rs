@@ -28,9 +28,8 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
-    let grown = grown(trial, first, second);
+    let (seen, grown) = (trial.first.collected.as_ref(), grown(trial, first, second));
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -68,14 +67,18 @@ pub(super) fn result(
     }
 }
 
-/// What was claimed of a mean, and what was summed up.
+/// What was claimed of a mean, and what was summed up; nothing where nobody knows the truth.
 fn means<'a>(trial: &'a Trial) -> Option<(&'a MeanPlan, &'a PowerSums)> {
-    trial.plan.mean.as_ref().zip(trial.first.collected.as_ref()?.mean.as_ref())
+    trial.plan.mean.as_ref().zip(known(trial)?.mean.as_ref())
 }
 
-/// What was claimed of a law, and what was counted.
+/// What was claimed of a law, and what was counted; nothing where nobody knows the truth.
 fn cells<'a>(trial: &'a Trial) -> Option<(&'a LawPlan, &'a CellTally)> {
-    trial.plan.law.as_ref().zip(trial.first.collected.as_ref()?.counts.cells.as_ref())
+    trial.plan.law.as_ref().zip(known(trial)?.counts.cells.as_ref())
+}
+
+fn known<'a>(trial: &'a Trial) -> Option<&'a Collected> {
+    trial.first.collected.as_ref().filter(|_| trial.plan.known)
 }
 
 fn running(trial: &Trial) -> Option<RunningSeries> {
