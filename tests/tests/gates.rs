@@ -1,7 +1,7 @@
 //! The gates that keep a p-value from being used where docs/levels.md says that it is not true.
 
 use freepath_harness::law::Law;
-use freepath_harness::tally::{CellTally, CountTally, LagTally, PowerSums, Scores};
+use freepath_harness::tally::{CellTally, CountTally, LAGS, LagTally, PowerSums, Scores};
 use freepath_harness::test::{
     BlockLookups, MeanClaim, Method, chi_square, kolmogorov, lag, least_expected, lookups, mean, poisson_count,
     residuals, second_moment,
@@ -97,10 +97,11 @@ fn few_blocks_and_few_pairs_say_nothing() {
     assert!(totals(20, 16) && !totals(20, 15), "a variance of all draws below 1111 may be a few rare ones");
     let law = Law::new(1.0, 0.0, |t| libm::exp(-t));
     let (scores, cells) = (Scores::new(&law), tally(&law, 1001));
-    let of = |pairs| lag(&scores, &LagTally { products: 0, pairs, ..LagTally::default() }, &cells).p.is_some();
+    let of = |pairs| lag(&scores, &LagTally { pairs: [pairs; LAGS], ..LagTally::default() }, &cells).p.is_some();
     assert!(of(1000) && !of(999));
     let thin = Law::new(1.0, 0.0, |t| libm::exp(-0.06 * t));
-    let thin = lag(&Scores::new(&thin), &LagTally { pairs: 1000, ..LagTally::default() }, &tally(&thin, 1001));
+    let thin =
+        lag(&Scores::new(&thin), &LagTally { pairs: [1000; LAGS], ..LagTally::default() }, &tally(&thin, 1001));
     assert_eq!(thin.p, None, "1000 pairs of skew ranks");
     assert_eq!(kolmogorov(&law, &CellTally::new(&law), Reason::WrongLaw).p, None);
 }

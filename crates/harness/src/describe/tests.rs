@@ -5,7 +5,6 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("chi_square_64", CHI_SQUARE),
     ("chi_square_fine", CHI_SQUARE),
     ("kolmogorov", KOLMOGOROV),
-    ("berk_jones", BERK_JONES),
     ("anderson_darling", ANDERSON_DARLING),
     ("cramer_von_mises", CRAMER_VON_MISES),
     ("kuiper", KUIPER),
@@ -149,13 +148,3 @@ int_0^length pdf + P(surface) = 1, to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.";
-
-const BERK_JONES: &str = "\
-```text
-R = max m KL(F_m || u),   KL(a || u) = a ln(a / u) + (1 - a) ln((1 - a) / (1 - u)),   u = F(t) / F(length)
-```
-Over the 512 smallest and 512 largest distances, and the edges of the fine cells between.
-Gate:    100 collisions, a law without atoms. p by simulated quantiles down to 1e-3, by a proven bound beyond: never too small.
-Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
-Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
-Source:  Berk and Jones (1979).";
