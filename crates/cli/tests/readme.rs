@@ -48,6 +48,9 @@ fn arguments(rest: &str, folder: &str) -> Vec<String> {
         args.extend(["--out".into(), out.display().to_string()]);
         args.extend(fewer.iter().map(ToString::to_string));
     }
+    if args[0] == "microscope" {
+        args.extend(["--points".into(), "1024".into()]);
+    }
     args
 }
 

@@ -1,6 +1,6 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
-use crate::collect::Collected;
+use crate::collect::{Collected, Joint};
 use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
@@ -28,9 +28,9 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
     judged.audit(plan, seen);
     judged.few(subject, seen);
     if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
-        judged.law(subject, law, cells, seen);
+        judged.law(subject, plan, law, cells, seen);
     }
-    if let (Some(mean), Some(sums)) = (&plan.mean, &seen.mean) {
+    if let (Some(mean), Some(sums), true) = (&plan.mean, &seen.mean, plan.known) {
         judged.mean(mean, sums);
     }
     if let Some(channels) = &plan.channels {
@@ -113,10 +113,15 @@ impl Judged {
         self.fact("support", outside, Reason::OutOfSupport, "draws lie outside the ray");
     }
 
-    fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
+    fn law(&mut self, subject: &Subject, all: &Plan, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
         self.fact("finite", cells.non_finite, Reason::NonFinite, "draws are NaN");
         self.fact("support", cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
         self.fact("unit_weight", seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
+        if !all.known {
+            self.evidence
+                .extend(plan.scores.as_ref().map(|scores| test::lag_observed(scores, &seen.counts.lag, cells)));
+            return;
+        }
         self.follows("", &plan.truth, cells, plan.reason);
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);
@@ -144,10 +149,29 @@ impl Judged {
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::lags(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::pairs(&seen.counts.lag));
+        }
+        self.joint(plan, &seen.counts.joint);
+    }
+
+    /// What goes with the distances: look-ups, a boundary, marks.
+    fn joint(&mut self, plan: &LawPlan, seen: &Joint) {
+        self.evidence.extend(seen.nulls.as_ref().map(test::null_positions));
+        if let Some(cells) = &seen.series {
+            let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
+            self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
+            self.fact("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws"));
+            self.fact("audit", seen.beyond, Reason::OutOfSupport, &outside("look-ups"));
+            self.evidence.push(test::series(&plan.truth, cells, plan.reason));
+        }
+        if let Some(marks) = &seen.marks {
+            self.fact("finite", marks.spoilt, Reason::NonFinite, "marks do not lie in [0, 1)");
+            self.evidence.push(test::mark(marks));
         }
     }
 
-    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs.
+    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
     fn follows(&mut self, prefix: &str, law: &Law, cells: &CellTally, reason: Reason) {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
@@ -160,6 +184,8 @@ impl Judged {
             test::anderson_darling(law, cells, reason),
             test::cramer_von_mises(law, cells, reason),
             test::kuiper(law, cells, reason),
+            test::exposure(law, cells, reason),
+            test::neyman(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));

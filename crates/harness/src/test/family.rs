@@ -12,16 +12,31 @@ pub const NULLS: &[(&str, &[&str])] = &[
     ("anderson_darling", &["uniform"]),
     ("cramer_von_mises", &["uniform"]),
     ("kuiper", &["uniform"]),
+    ("berk_jones", &["conservative"]),
+    ("exposure", &["uniform"]),
+    ("neyman_16", &["uniform"]),
     ("coleman", &["uniform"]),
     ("poisson_count", &["uniform"]),
     ("ties", &["conservative"]),
     ("lag_1", &["uniform"]),
+    ("lag_2_to_8", &["uniform"]),
+    ("pairs_16", &["uniform"]),
+    ("null_positions", &["uniform"]),
+    ("series", &["conservative"]),
+    ("mark", &["uniform"]),
     ("mean", &["uniform", "discrete", "conservative"]),
     ("growth", &["conservative"]),
     ("second_moment", &["uniform", "conservative"]),
     ("lookups", &["uniform", "conservative"]),
+    ("agree_majorant", AGREE),
+    ("agree_segments", AGREE),
+    ("agree_grid", AGREE),
+    ("agree_reversed", AGREE),
     ("pdf_integral", &["conservative"]),
 ];
+
+/// Of means that skewness allows; exact, of laws and bounded.
+const AGREE: &[&str] = &["uniform", "conservative"];
 
 /// The name in [`NAMES`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
 /// `mean`.
