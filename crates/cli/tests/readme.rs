@@ -39,6 +39,7 @@ fn arguments(rest: &str, folder: &str) -> Vec<String> {
     let mut args: Vec<String> = rest.split_whitespace().map(String::from).collect();
     let fewer: &[&str] = match args[0].as_str() {
         "run" => &["--quick"],
+        "check" => &[],
         "power" => &["--filter", "short_majorant"],
         _ => return args,
     };
@@ -46,6 +47,9 @@ fn arguments(rest: &str, folder: &str) -> Vec<String> {
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
         args.extend(["--out".into(), out.display().to_string()]);
         args.extend(fewer.iter().map(ToString::to_string));
+    }
+    if args[0] == "microscope" {
+        args.extend(["--points".into(), "1024".into()]);
     }
     args
 }
@@ -86,6 +90,18 @@ fn the_transcript_of_the_case_is_real() {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("transcript");
     let args = ["run", "examples/fog.json", "--out", &out.display().to_string()];
     let done = freepath(&args.map(String::from), &[]);
+    let said = String::from_utf8(done.stdout).unwrap();
+    let (said, _) = said.split_once("report: ").unwrap();
+    let shown = blocks("text");
+    assert!(shown.iter().any(|block| block.starts_with(said)), "paste this into README.md:\n{said}");
+}
+
+#[test]
+fn the_transcript_of_the_samples_is_real() {
+    let commands = blocks("sh").concat();
+    let mut checks = commands.lines().filter_map(|line| line.split_once("-- check "));
+    let (_, rest) = checks.next().unwrap();
+    let done = freepath(&arguments(&format!("check {rest}"), "samples"), &[]);
     let said = String::from_utf8(done.stdout).unwrap();
     let (said, _) = said.split_once("report: ").unwrap();
     let shown = blocks("text");

@@ -15,6 +15,10 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("lag_1", LAG),
     ("mean", MEAN),
     ("growth", GROWTH),
+    ("agree_majorant", AGREE),
+    ("agree_segments", AGREE),
+    ("agree_grid", AGREE),
+    ("agree_reversed", AGREE),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
     ("pdf_integral", PDF_INTEGRAL),
@@ -69,6 +73,18 @@ V = sup (F_m - u) + sup (u - F_m),   p = Q((sqrt m + 0.155 + 0.24 / sqrt m) V)
 Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
 Rejects: nothing; shown beside the others. Sees a shift in the middle that ends cancel in `kolmogorov`.
 Source:  Kuiper (1960), Stephens (1970).";
+
+const BERK_JONES: &str = "\
+```text
+R = max m (a ln(a / u) + (1 - a) ln((1 - a) / (1 - u))),   a the share of the m collided draws at or below u = F(t) / F(length)
+```
+over the 512 smallest and the 512 largest draws and the edges of the fine cells between.
+Gate:    100 collisions; a law without atoms.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    a handful of draws too many or too few at either end of the ray.
+p:       simulated down to 1e-3; beyond, a bound proven by martingales, at most some 4 times too large: p has no floor, and stays at
+         1e-3 for about one unit of R before it falls on.
+Source:  Berk and Jones (1979); the bound by Ville (1939).";
 
 const COLEMAN: &str = "\
 ```text
@@ -150,12 +166,12 @@ int_0^length pdf + P(surface) = 1, to 1e-9
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.";
 
-const BERK_JONES: &str = "\
+const AGREE: &str = "\
 ```text
-R = max m KL(F_m || u),   KL(a || u) = a ln(a / u) + (1 - a) ln((1 - a) / (1 - u)),   u = F(t) / F(length)
+T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m)
+X^2 = sum_i (a_i / a - b_i / b)^2 a b / (a_i + b_i)
 ```
-Over the 512 smallest and 512 largest distances, and the edges of the fine cells between.
-Gate:    100 collisions, a law without atoms. p by simulated quantiles down to 1e-3, by a proven bound beyond: never too small.
-Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
-Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
-Source:  Berk and Jones (1979).";
+0/1 by Fisher's exact test; a law by its escapes (exact) and by cells of 128 draws in both, p = 2 min of the two.
+Gate:    as mean for means; made only where the case asks for it by `agree`. Nobody needs to know tau.
+Rejects: as biased, or as wrong_law for a law: one of the two settings, or both, is wrong.
+Source:  Fisher (1935), Welch (1938), Hall (1992).";

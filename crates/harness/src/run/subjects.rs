@@ -7,11 +7,11 @@ use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan, Plan};
+use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
-    SubjectResult, TestResult,
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, RunningSeries,
+    Series, SubjectResult, TestResult,
 };
 use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
@@ -28,10 +28,8 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
-    let grown = grown(trial, first, second);
-    let (mean, cells) = collected(plan, seen);
+    let (seen, grown) = (trial.first.collected.as_ref(), grown(trial, first, second));
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -55,12 +53,12 @@ pub(super) fn result(
         draws: seen.map_or(0, |seen| seen.draws),
         draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
-        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
-        law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
+        mean: means(trial).map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
+        law: cells(trial).map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: stages(first, second).flat_map(tests).collect(),
         facts: stages(first, second).flat_map(facts).collect(),
-        series: Series { running: mean.and(seen).map(|seen| series::running(&seen.running)), ..of_law(cells) },
+        series: Series { running: running(trial), ..of_law(cells(trial)) },
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
@@ -69,14 +67,22 @@ pub(super) fn result(
     }
 }
 
-/// What was collected of the mean and of the law, each with its claim.
-#[expect(clippy::type_complexity, reason = "two pairs, taken apart at once")]
-fn collected<'a>(
-    plan: &'a Plan,
-    seen: Option<&'a Collected>,
-) -> (Option<(&'a MeanPlan, PowerSums)>, Option<(&'a LawPlan, &'a CellTally)>) {
-    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
-    (mean, plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref())))
+/// What was claimed of a mean, and what was summed up; nothing where nobody knows the truth.
+fn means<'a>(trial: &'a Trial) -> Option<(&'a MeanPlan, &'a PowerSums)> {
+    trial.plan.mean.as_ref().zip(known(trial)?.mean.as_ref())
+}
+
+/// What was claimed of a law, and what was counted; nothing where nobody knows the truth.
+fn cells<'a>(trial: &'a Trial) -> Option<(&'a LawPlan, &'a CellTally)> {
+    trial.plan.law.as_ref().zip(known(trial)?.counts.cells.as_ref())
+}
+
+fn known<'a>(trial: &'a Trial) -> Option<&'a Collected> {
+    trial.first.collected.as_ref().filter(|_| trial.plan.known)
+}
+
+fn running(trial: &Trial) -> Option<RunningSeries> {
+    means(trial).and(trial.first.collected.as_ref()).map(|seen| series::running(&seen.running))
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {

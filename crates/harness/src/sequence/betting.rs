@@ -1,7 +1,6 @@
 use freepath_estimators::simd;
 
-/// Bets on whether a bias stays below a bound: four e-values of draws of known range (Waudby-Smith and Ramdas 2024,
-/// section 4; Shafer 2021).
+/// Bets on whether a bias stays below a bound: four e-values of draws of known range (Waudby-Smith and Ramdas 2024).
 ///
 /// ```text
 /// K = prod_i (1 + lambda (x_i - m)),   m = T - d and lambda > 0: against a mean of T - d or less

@@ -71,6 +71,20 @@ impl Scores {
         sum as f64 / tally.draws() as f64
     }
 
+    /// Variance and skewness of the scores of the draws in `tally`.
+    #[must_use]
+    pub fn spread_of(&self, tally: &CellTally) -> (f64, f64) {
+        let (n, mean) = (tally.draws() as f64, self.mean_of(tally));
+        let scored = tally.cells.iter().zip(&self.cells).chain([(&tally.escapes, &self.escape)]);
+        let (mut second, mut third) = (0.0, 0.0);
+        for (&count, &score) in scored.filter(|(count, _)| **count > 0) {
+            let off = f64::from(score) - mean;
+            second += count as f64 / n * off * off;
+            third += count as f64 / n * off * off * off;
+        }
+        (second, third / (second * second.sqrt()))
+    }
+
     #[inline(always)]
     fn of(&self, cell: u32) -> i32 {
         if cell == ESCAPE { self.escape } else { self.cells.get(cell as usize).copied().unwrap_or(0) }

@@ -19,13 +19,23 @@ its exact variance and skewness, beside what their own mean gives.";
 /// are so skew that no tail is known: withheld.
 #[must_use]
 pub fn lag(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
+    under(scores, tally, cells, (scores.variance(), scores.skewness()))
+}
+
+/// The same where the law is not known: with the variance and the skewness that the draws themselves have.
+#[must_use]
+pub fn lag_observed(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
+    under(scores, tally, cells, scores.spread_of(cells))
+}
+
+fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew): (f64, f64)) -> Evidence {
     let withheld = |z: f64, why: &str| Evidence::withheld("lag_1", z, Reason::Dependent, why);
     if tally.pairs < 1000 {
         return withheld(f64::NAN, "fewer than 1000 pairs of draws");
     }
     let (pairs, mean) = (tally.pairs as f64, scores.mean_of(cells));
-    let skewness = scores.skewness() * scores.skewness() / pairs.sqrt();
-    let z = standardised(tally.products as f64 - pairs * mean * mean, scores.variance() * pairs.sqrt());
+    let skewness = skew * skew / pairs.sqrt();
+    let z = standardised(tally.products as f64 - pairs * mean * mean, variance * pairs.sqrt());
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
     }
