@@ -1,9 +1,15 @@
 //! Every test keeps its level, and so does a run: the short form of `freepath soak`.
 
+use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::medium::Constant;
+use freepath_estimators::random::uniform;
+use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::soak::{Options, SoakResults, quick, seed_of, soak};
+use freepath_harness::special::binomial_two_sided;
+use freepath_harness::subject::{Scene, Subject, Work};
 use freepath_harness::verdict::Reason;
-use freepath_tests::results;
+use freepath_tests::{judgement, results};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -63,4 +69,31 @@ fn threads_make_no_difference() {
         serde_json::to_string(&pool.install(|| soaked(&cases, 9))).expect("results are JSON")
     };
     assert_eq!(with(1), with(3));
+}
+
+/// A right sampler with a mark, which no case can name.
+struct Marked;
+
+impl FreePathSampler for Marked {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
+        DeltaTracking::default().sample(medium, rng)
+    }
+    fn marked(&self) -> bool {
+        true
+    }
+    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> (FreePath, f64) {
+        (self.sample(medium, rng), uniform(rng))
+    }
+}
+
+#[test]
+fn marks_keep_their_level() {
+    let medium = Constant::new(1.3, 2.1).expect("a medium");
+    let scene = Scene::Grey { truth: &medium, seen: &medium };
+    let subject = Subject { draws: 16_384, ..Subject::new(Work::FreePath(&Marked), scene) };
+    let p: Vec<f64> = (0..300).filter_map(|seed| judgement(&subject, 1000 + seed).p("mark")).collect();
+    for level in [0.01, 0.05, 0.25, 0.5, 0.75] {
+        let below = p.iter().filter(|p| !(**p > level)).count() as u64;
+        assert!(binomial_two_sided(300, level, below) > 1e-4, "{below} of {} at {level}", p.len());
+    }
 }

@@ -3,7 +3,8 @@
 
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::{Channel, ChromaticClaims, FreePathClaims, TransmittanceClaims};
-use freepath_estimators::medium::{BoxSpike, Chromatic, Constant};
+use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::medium::{BoxSpike, Chromatic, Constant, Linear};
 use freepath_estimators::random::{exponential, uniform};
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{
@@ -15,6 +16,7 @@ use freepath_harness::verdict::{Reason, Verdict};
 use freepath_tests::{Judgement, judgement, parse, results};
 use rand::Rng;
 use std::collections::BTreeSet;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const MU: f64 = 1.3;
@@ -59,8 +61,19 @@ impl FreePathSampler for Sampler {
     }
 }
 
+/// These draw on the whole ray, whatever part they are given.
 fn sampler(draw: Draw) -> Sampler {
-    Sampler { draw, claims: |_| FreePathClaims::default() }
+    Sampler { draw, claims: |_| whole() }
+}
+
+fn whole() -> FreePathClaims<'static> {
+    FreePathClaims { parts: false, ..FreePathClaims::default() }
+}
+
+/// The right distance in the medium that is given.
+fn in_part(medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+    let t = right(rng);
+    FreePath::at(if t < medium.length() { t } else { f64::INFINITY })
 }
 
 fn of_path(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
@@ -193,6 +206,12 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
     });
     let thin = || law(|_, rng| path(right(rng) / 0.97));
+    let thicker = law(|_, rng| path(right(rng) / 1.02));
+    let wave = law(|_, rng| {
+        let u = uniform(rng);
+        let bent = u + 0.004 * freepath_estimators::math::sin2pi(3.0 * u);
+        path(-libm::log1p(-bent * (1.0 - 1e-12)) / MU)
+    });
     let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
@@ -205,31 +224,117 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         ("cramer_von_mises", Reason::WrongLaw, thin()),
         ("kuiper", Reason::WrongLaw, thin()),
         ("berk_jones", Reason::WrongLaw, hot),
+        ("exposure", Reason::WrongLaw, thicker),
+        ("neyman_16", Reason::WrongLaw, wave),
         ("ties", Reason::Dependent, repeated),
     ]
 }
 
-/// Two draws from each uniform: u and 1 - u.
-struct Antithetic;
+/// Each uniform serves twice: as it is, and changed by `fold` so many draws later.
+struct Twice {
+    lag: usize,
+    fold: fn(f64) -> f64,
+}
 
-impl FreePathSampler for Antithetic {
-    fn sample(&self, _medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
-        path(right(rng))
+impl FreePathSampler for Twice {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        in_part(medium, rng)
     }
     fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        let (mut rng, mut u) = (streams.rng(), 0.0);
+        let (mut rng, mut kept) = (streams.rng(), vec![0.0; self.lag]);
         for row in 0..out.rows {
-            u = if row.is_multiple_of(2) { uniform(&mut rng) } else { 1.0 - u };
+            let (round, place) = (row / self.lag, row % self.lag);
+            let u = if round.is_multiple_of(2) { uniform(&mut rng) } else { (self.fold)(kept[place]) };
+            kept[place] = u;
             let path = path(-libm::log1p(-u) / MU);
             out.put(row, path.t, 1.0, 0);
         }
     }
 }
 
+/// Reuses the uniform of a flight when the next one is in another medium: alone in one medium nothing is wrong.
+#[derive(Default)]
+struct Resumed {
+    /// The last length and, of an escape, its optical distance.
+    last: Mutex<(f64, Option<f64>)>,
+}
+
+impl FreePathSampler for Resumed {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        let mut last = self.last.lock().expect("no draw panics");
+        let kept = last.1.filter(|_| last.0.to_bits() != medium.length().to_bits());
+        let depth = kept.unwrap_or_else(|| exponential(rng));
+        let t = depth / medium.mu(0.0);
+        *last = (medium.length(), (t >= medium.length()).then_some(depth));
+        FreePath::at(if t < medium.length() { t } else { f64::INFINITY })
+    }
+    fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let mut rng = streams.rng();
+        for row in 0..out.rows {
+            out.put(row, path(right(&mut rng)).t, 1.0, 0);
+        }
+    }
+}
+
+/// Gives a mark with each draw.
+struct Marked(fn(f64, f64) -> f64);
+
+impl FreePathSampler for Marked {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        in_part(medium, rng)
+    }
+    fn marked(&self) -> bool {
+        true
+    }
+    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> (FreePath, f64) {
+        let path = self.sample(medium, rng);
+        (path, (self.0)(path.t, uniform(rng)))
+    }
+}
+
+/// The optical depth of a ramp from 0.5 to 2 on a length of 2.1, and where it is reached.
+const RAMP: (f64, f64) = (0.5, 1.5 / LENGTH);
+
+fn ramp_depth(t: f64) -> f64 {
+    RAMP.0 * t + 0.5 * RAMP.1 * t * t
+}
+
+/// Draws from the ramp by inversion, as many null collisions as delta tracking under 2 would have had, and looks up at uniform
+/// places: only where it looks is wrong.
+fn looks_anywhere(medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+    let t = ((RAMP.0 * RAMP.0 + 2.0 * RAMP.1 * exponential(rng)).sqrt() - RAMP.0) / RAMP.1;
+    let reach = if t < LENGTH { t } else { LENGTH };
+    let (mut left, mut collisions) = (2.0 * reach - ramp_depth(reach), u32::from(t < LENGTH));
+    loop {
+        left -= exponential(rng);
+        if left < 0.0 {
+            break;
+        }
+        medium.mu(reach * uniform(rng));
+        collisions += 1;
+    }
+    if t < LENGTH {
+        medium.mu(t);
+    }
+    FreePath { collisions, ..path(t) }
+}
+
+fn of_delta_tracking(truth: &dyn Medium) -> FreePathClaims<'_> {
+    let lookups = DeltaTracking::default().claims(truth).lookups;
+    FreePathClaims { coleman: true, lookups, ..whole() }
+}
+
+fn in_the_ramp() -> Judgement {
+    let truth = Linear::new(RAMP.0, 2.0, LENGTH).expect("a medium");
+    let sampler = Sampler { draw: looks_anywhere, claims: of_delta_tracking };
+    let scene = Scene::Grey { truth: &truth, seen: &truth };
+    judgement(&Subject { draws: 200_000, ..Subject::new(Work::FreePath(&sampler), scene) }, 5)
+}
+
 fn walks() -> Vec<(&'static str, Reason, Judgement)> {
     let twice = Sampler {
         draw: |_, rng| FreePath { collisions: 2, ..path(right(rng)) },
-        claims: |_| FreePathClaims { coleman: true, ..FreePathClaims::default() },
+        claims: |_| FreePathClaims { coleman: true, ..whole() },
     };
     let looks = Sampler {
         draw: |medium, rng| {
@@ -239,10 +344,19 @@ fn walks() -> Vec<(&'static str, Reason, Judgement)> {
             }
             path(t)
         },
-        claims: |_| FreePathClaims { lookups: Some(1.0 - escape()), ..FreePathClaims::default() },
+        claims: |_| FreePathClaims { lookups: Some(1.0 - escape()), ..whole() },
     };
     vec![
-        ("lag_1", Reason::Dependent, of_path(&Antithetic, 200_000)),
+        ("lag_1", Reason::Dependent, of_path(&Twice { lag: 1, fold: |u| 1.0 - u }, 200_000)),
+        ("lag_2_to_8", Reason::Dependent, of_path(&Twice { lag: 3, fold: |u| 1.0 - u }, 200_000)),
+        ("pairs_16", Reason::Dependent, of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000)),
+        ("null_positions", Reason::WrongLaw, in_the_ramp()),
+        ("series", Reason::WrongLaw, of_path(&Resumed::default(), 100_000)),
+        (
+            "mark",
+            Reason::Dependent,
+            of_path(&Marked(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000),
+        ),
         ("coleman", Reason::WrongLaw, of_path(&twice, 200_000)),
         ("lookups", Reason::WrongCost, of_path(&looks, 400_000)),
     ]
@@ -288,10 +402,7 @@ fn chromatic() -> Vec<(&'static str, Reason, Judgement)> {
 fn by_design() -> Vec<(&'static str, Reason, Judgement)> {
     let other = Sampler {
         draw: |_, rng| path(right(rng) / 1.05),
-        claims: |_| FreePathClaims {
-            own_law: Some(Box::new(|t| libm::exp(-1.1 * MU * t))),
-            ..FreePathClaims::default()
-        },
+        claims: |_| FreePathClaims { own_law: Some(Box::new(|t| libm::exp(-1.1 * MU * t))), ..whole() },
     };
     let mean = Estimator {
         claims: |truth| TransmittanceClaims { own_mean: Some(1.05 * escape()), ..of_ratio(truth) },
@@ -319,12 +430,30 @@ fn every_test_rejects_a_mutant() {
     assert!(unshown.is_empty(), "no mutant for {unshown:?}");
 }
 
+/// What one test alone can see: every other passes, and without it so does the mutant.
+#[test]
+fn joint_laws_see_what_the_law_of_t_hides() {
+    let folded = of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000);
+    let resumed = of_path(&Resumed::default(), 100_000);
+    let marked = of_path(&Marked(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
+    let all = [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("mark", marked)];
+    for (name, judgement) in all {
+        let low = |judged: &freepath_harness::judge::Judged| -> Vec<String> {
+            let low = judged.evidence.iter().filter(|e| e.p.is_some_and(|p| !(p > 1e-4)));
+            low.map(|e| e.name.clone()).collect()
+        };
+        assert_eq!(low(&judgement.stages[0]), [name], "{:?}", judgement.decision);
+    }
+}
+
 #[test]
 fn the_right_ones_pass() {
-    let exact = of_path(&sampler(|_, rng| path(right(rng))), 400_000);
+    let exact = Sampler { draw: in_part, claims: |_| FreePathClaims::default() };
+    let exact = of_path(&exact, 400_000);
     let estimate = of_estimate(&changed(|path, _| path), 400_000);
     let weights = of_weights(|_, _| 1.0, 1.0);
-    for judgement in [exact, estimate, weights] {
+    let marked = of_path(&Marked(|_, u| u), 400_000);
+    for judgement in [exact, estimate, weights, marked] {
         assert_eq!(judgement.decision.verdict, Verdict::Pass, "{:?}", judgement.decision);
     }
 }

@@ -19,11 +19,21 @@ pub struct FreePathClaims<'a> {
     pub continuous: bool,
     /// The largest error of its law falls like this power of the step length.
     pub order: Option<f64>,
+    /// It draws in whatever medium it is given, so also in a part of the ray: not so if it carries a scene of its own.
+    pub parts: bool,
 }
 
 impl Default for FreePathClaims<'_> {
     fn default() -> Self {
-        Self { bounded: true, own_law: None, lookups: None, coleman: false, continuous: true, order: None }
+        Self {
+            bounded: true,
+            own_law: None,
+            lookups: None,
+            coleman: false,
+            continuous: true,
+            order: None,
+            parts: true,
+        }
     }
 }
 

@@ -11,6 +11,9 @@ pub struct Draws {
     pub weight: Vec<f64>,
     /// Tentative collisions of the walk.
     pub collisions: Vec<u32>,
+    /// A number in [0, 1) that goes with the draw and says nothing of its distance, such as (1 + cosine) / 2 of the
+    /// direction that it started in; see [`FreePathSampler::marked`](crate::FreePathSampler::marked).
+    pub mark: Vec<f64>,
     /// One column per channel: the weight of a chromatic draw.
     pub channels: Vec<Vec<f64>>,
 }
@@ -38,6 +41,12 @@ impl Draws {
     #[must_use]
     pub fn with_collisions(self) -> Self {
         Self { collisions: vec![0; self.rows], ..self }
+    }
+
+    /// The same with a column of marks.
+    #[must_use]
+    pub fn with_mark(self) -> Self {
+        Self { mark: vec![f64::NAN; self.rows], ..self }
     }
 
     /// The same with a column of weights for each of `channels` channels.

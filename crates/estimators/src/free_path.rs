@@ -40,9 +40,28 @@ pub trait FreePathSampler: Send + Sync {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath;
 
     /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
-    /// [`FreePathSampler::sample`].
+    /// [`FreePathSampler::sample`], or [`FreePathSampler::sample_marked`] if `out` wants marks.
     fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        one_by_one(streams, out, |rng| self.sample(medium, rng));
+        if out.mark.is_empty() {
+            return one_by_one(streams, out, |rng| self.sample(medium, rng));
+        }
+        let mut rng = streams.rng();
+        for row in 0..out.rows {
+            let (path, mark) = self.sample_marked(medium, &mut rng);
+            out.put(row, path.t, path.weight, path.collisions);
+            out.mark[row] = mark;
+        }
+    }
+
+    /// Whether each draw comes with a mark: a number that is uniform on [0, 1) and independent of the distance, such as
+    /// (1 + cosine) / 2 of the direction in which the path starts. Provided: no.
+    fn marked(&self) -> bool {
+        false
+    }
+
+    /// One draw and its mark, if there are marks. Provided: [`FreePathSampler::sample`], and NaN.
+    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> (FreePath, f64) {
+        (self.sample(medium, rng), f64::NAN)
     }
 
     /// What is known of this sampler in this medium. Provided: that it is exact and needs a bounding majorant.

@@ -1,8 +1,9 @@
 //! Counts and checks every look-up of a subject, before anything that the subject may do with it.
 
+use crate::tally::NullTally;
 use freepath_estimators::random::Spent;
 use freepath_estimators::{Cells, Extinction, Majorants, simd};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// What was recorded of some look-ups.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,13 +40,21 @@ pub struct Audited<'a> {
     /// 1 + the relative excess that counts as rounding.
     rounding: f64,
     record: Cell<Audit>,
+    /// Told of every look-up, if anyone is.
+    watch: Option<&'a RefCell<NullTally>>,
 }
 
 impl<'a> Audited<'a> {
     /// `medium`, with at most `budget` look-ups.
     #[must_use]
     pub fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
-        Self { medium, budget, rounding: 1.0 + rounding, record: Cell::default() }
+        Self { medium, budget, rounding: 1.0 + rounding, record: Cell::default(), watch: None }
+    }
+
+    /// The same, and `watch` is told of every look-up.
+    #[must_use]
+    pub fn watched(self, watch: Option<&'a RefCell<NullTally>>) -> Self {
+        Self { watch, ..self }
     }
 
     /// What was recorded.
@@ -90,6 +99,13 @@ impl<'a> Audited<'a> {
         sum
     }
 
+    #[inline(always)]
+    fn tell(&self, t: &[f64], mu: &[f64]) {
+        if let Some(watch) = self.watch {
+            watch.borrow_mut().look_ups(self.medium.majorants(), t, mu);
+        }
+    }
+
     fn note(&self, lookups: usize, outside: u64, above: u64) {
         let more = Audit { lookups: lookups as u64, outside, above };
         let record = self.record.get().plus(more);
@@ -129,6 +145,7 @@ impl Extinction for Audited<'_> {
     fn mu(&self, t: f64) -> f64 {
         let mu = self.medium.mu(t);
         let bound = self.medium.majorants().mu_bar_at(t) * self.rounding;
+        self.tell(&[t], &[mu]);
         self.note(1, outside(t, self.medium.length()), above(mu, bound));
         if self.spent() { f64::NAN } else { mu }
     }
@@ -151,6 +168,7 @@ impl Extinction for Audited<'_> {
             #[inline(always)]
             || self.check(t, mu),
         );
+        self.tell(t, mu);
         self.note(t.len(), out, over);
         if self.spent() {
             mu.fill(f64::NAN);

@@ -15,12 +15,15 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+mod joint;
 mod samples;
+
+pub use joint::Joint;
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
 
-/// Blocks at the start of a range in which all ties are counted.
+/// Blocks at the start of a range in which all ties are counted and all look-ups placed.
 const FIRST_BLOCKS: u64 = 4;
 
 /// What a worker counts: integers, which merge in any order.
@@ -36,6 +39,8 @@ pub struct Counts {
     pub lag: LagTally,
     /// Equal draws.
     pub ties: TieTally,
+    /// What goes with the distances.
+    pub joint: Joint,
     /// Free paths whose weight is not 1.
     pub weighted: u64,
     /// Distances that are NaN, and those outside the ray, where no law counts them.
@@ -108,17 +113,24 @@ impl Worker {
         let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
         let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
         let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
-        let counts = Counts { cells, ends, collisions, tails, ..Counts::default() };
+        let joint = Joint::new(plan);
+        let counts = Counts { cells, ends, collisions, joint, tails, ..Counts::default() };
         Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
     }
 
-    /// One block; `first` says whether it is among the first of its range.
-    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
-        let row = key.block * BLOCK as u64;
-        let record = sample_block(subject, key, row, &mut self.draws)?;
+    /// One block, the `nth` of its range.
+    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
+        let (row, first) = (key.block * BLOCK as u64, nth < FIRST_BLOCKS);
+        if nth == 0 {
+            self.counts.joint.in_parts(subject, plan, key, &mut self.draws, &mut self.index)?;
+        }
+        let watch = self.counts.joint.watch(first);
+        let record = sample_block(subject, key, row, &mut self.draws, watch.as_ref())?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        Ok(BlockSums { lookups: record.audit.lookups, ..self.tally(plan, key.block, first, record.seconds) })
+        let sums = self.tally(plan, key.block, first, record.seconds);
+        self.counts.joint.watched(watch, &self.index);
+        Ok(BlockSums { lookups: record.audit.lookups, ..sums })
     }
 
     /// Folds the draws of `block`, which took so many seconds.
@@ -144,6 +156,7 @@ impl Worker {
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
             }
+            counts.joint.marks(law, draws, index);
             if law.pair.is_some() {
                 counts.ties.observe(&draws.t, first);
             }
@@ -198,6 +211,7 @@ impl Counts {
         if let (Some(a), Some(b)) = (&mut self.collisions, &other.collisions) {
             a.merge(b);
         }
+        self.joint.merge(&other.joint);
         self.lag.merge(&other.lag);
         self.ties.merge(other.ties);
         self.weighted += other.weighted;
@@ -286,8 +300,8 @@ impl Workers {
         Self((0..slots).map(|_| Mutex::new(None)).collect())
     }
 
-    fn run(&self, subject: &Subject, plan: &Plan, key: Key, first: bool) -> Result<BlockSums, String> {
-        self.with(subject, plan, |worker| worker.run(subject, plan, key, first))
+    fn run(&self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
+        self.with(subject, plan, |worker| worker.run(subject, plan, key, nth))
     }
 
     /// Puts the worker of this thread to `work`.
@@ -326,11 +340,7 @@ pub fn collect(
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);
     let run = |block| {
         let key = Key { seed, subject: subject.key, block };
-        if cancelled() {
-            Err(String::new())
-        } else {
-            workers.run(subject, plan, key, block - blocks.start < FIRST_BLOCKS)
-        }
+        if cancelled() { Err(String::new()) } else { workers.run(subject, plan, key, block - blocks.start) }
     };
     while start < blocks.end {
         let after = start + WAVE;

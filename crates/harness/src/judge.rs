@@ -1,6 +1,6 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
-use crate::collect::Collected;
+use crate::collect::{Collected, Joint};
 use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
@@ -149,10 +149,29 @@ impl Judged {
         }
         if let Some(scores) = &plan.scores {
             self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::lags(scores, &seen.counts.lag, cells));
+            self.evidence.push(test::pairs(&seen.counts.lag));
+        }
+        self.joint(plan, &seen.counts.joint);
+    }
+
+    /// What goes with the distances: look-ups, a boundary, marks.
+    fn joint(&mut self, plan: &LawPlan, seen: &Joint) {
+        self.evidence.extend(seen.nulls.as_ref().map(test::null_positions));
+        if let Some(cells) = &seen.series {
+            let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
+            self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
+            self.fact("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws"));
+            self.fact("audit", seen.beyond, Reason::OutOfSupport, &outside("look-ups"));
+            self.evidence.push(test::series(&plan.truth, cells, plan.reason));
+        }
+        if let Some(marks) = &seen.marks {
+            self.fact("finite", marks.spoilt, Reason::NonFinite, "marks do not lie in [0, 1)");
+            self.evidence.push(test::mark(marks));
         }
     }
 
-    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs.
+    /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
     fn follows(&mut self, prefix: &str, law: &Law, cells: &CellTally, reason: Reason) {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
@@ -165,6 +184,8 @@ impl Judged {
             test::anderson_darling(law, cells, reason),
             test::cramer_von_mises(law, cells, reason),
             test::kuiper(law, cells, reason),
+            test::exposure(law, cells, reason),
+            test::neyman(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
         self.evidence.extend(all.into_iter().map(rename));

@@ -12,7 +12,7 @@ mod power;
 mod ranking;
 
 pub use grown::{Grown, GrownOutcome};
-pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries};
+pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, LifeTable, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};
 pub use power::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
@@ -204,6 +204,9 @@ pub struct Series {
     /// Chi-square residuals.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub residuals: Option<ResidualSeries>,
+    /// Where along the ray the law breaks.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub life_table: Option<LifeTable>,
     /// Running mean.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub running: Option<RunningSeries>,

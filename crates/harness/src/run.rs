@@ -19,6 +19,7 @@ mod agree;
 mod efficiency;
 mod expect;
 mod grow;
+mod life_table;
 mod media;
 mod series;
 mod subjects;
@@ -238,7 +239,8 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         let first = Stage { judged: &trial.first.judged, adjusted: &adjusted[0][i] };
         let second = trial.second.as_ref().map(|(judged, _)| Stage { judged, adjusted: &adjusted[1][i] });
         let decision: Decision = decide(first, second);
-        results.push(subjects::result(cases, trial, first, second, decision, options));
+        let result = subjects::result(cases, trial, first, second, decision, options);
+        results.push(subjects::diagnosed(result));
     }
     let timing = |(trial, result): (&Trial, &crate::results::SubjectResult)| SubjectTiming {
         id: result.id.clone(),

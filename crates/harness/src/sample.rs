@@ -4,13 +4,19 @@ use crate::audit::{Audit, Audited};
 use crate::fault::{BlockPlace, Fault, Faulty, Site, Wrapped};
 use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
+use crate::tally::NullTally;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::{Spent, exponential};
 use freepath_estimators::{Draws, Extinction, FreePath, Key, Medium, Streams};
 use std::any::Any;
+use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
+
+mod in_parts;
+
+pub use in_parts::sample_in_parts;
 
 /// What a block left behind beside its draws.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +32,9 @@ pub struct BlockRecord {
 pub fn columns(subject: &Subject, rows: usize) -> Draws {
     let draws = Draws::new(rows);
     match (subject.work, subject.scene) {
+        (Work::FreePath(sampler), _) if sampler.marked() => {
+            draws.with_t().with_weight().with_collisions().with_mark()
+        }
         (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_weight().with_collisions(),
         (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
         (Work::Samples(Kind::FreePath, _), _) => draws.with_t(),
@@ -47,12 +56,18 @@ pub enum Unfinished {
     Broken(String),
 }
 
-/// Fills `draws` with the block at `key`.
+/// Fills `draws` with the block at `key`; look-ups in one extinction are told to `watch`.
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
-pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) -> Result<BlockRecord, String> {
-    let record = sample_from(subject, Streams::new(key), draws)
+pub fn sample_block(
+    subject: &Subject,
+    key: Key,
+    first: u64,
+    draws: &mut Draws,
+    watch: Option<&RefCell<NullTally>>,
+) -> Result<BlockRecord, String> {
+    let record = sample_watched(subject, Streams::new(key), draws, watch)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
     let place = BlockPlace { key: faulty_key(subject, key), first, subject };
     subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
@@ -64,12 +79,25 @@ pub fn sample_block(subject: &Subject, key: Key, first: u64, draws: &mut Draws) 
 /// # Errors
 /// If the subject panics or runs past its budget.
 pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Result<BlockRecord, Unfinished> {
+    sample_watched(subject, streams, draws, None)
+}
+
+fn sample_watched(
+    subject: &Subject,
+    streams: Streams,
+    draws: &mut Draws,
+    watch: Option<&RefCell<NullTally>>,
+) -> Result<BlockRecord, Unfinished> {
     let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
     let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), shape(draws));
     blank(draws);
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
-        Scene::Grey { truth, seen } => grey(subject, truth, seen, &streams, budget, draws),
+        Scene::Grey { truth, seen } => {
+            let audited = Audited::new(&seen, budget, rounding(subject)).watched(watch);
+            grey(subject, truth, &audited, &streams, draws);
+            (audited.record(), audited.spent())
+        }
         Scene::Chromatic(medium) => chromatic(subject, medium, &streams, budget, draws),
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
@@ -100,14 +128,14 @@ fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
 
 /// No draw of an earlier block may stand in for one that the subject forgets to write.
 fn blank(draws: &mut Draws) {
-    let columns = [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels);
+    let columns = [&mut draws.t, &mut draws.weight, &mut draws.mark].into_iter().chain(&mut draws.channels);
     columns.for_each(|column| column.fill(f64::NAN));
     draws.collisions.fill(0);
 }
 
 /// The length of every column.
 fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
-    let columns = [&draws.t, &draws.weight].into_iter().chain(&draws.channels);
+    let columns = [&draws.t, &draws.weight, &draws.mark].into_iter().chain(&draws.channels);
     (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
@@ -120,28 +148,23 @@ fn why(payload: &(dyn Any + Send)) -> Unfinished {
     Unfinished::Broken(format!("the subject panicked: {text}"))
 }
 
-fn grey(
-    subject: &Subject,
-    truth: &dyn Medium,
-    seen: &dyn Medium,
-    streams: &Streams,
-    budget: u64,
-    draws: &mut Draws,
-) -> (Audit, bool) {
-    let rounding = if subject.bits <= 24 { 1e-6 } else { 1e-12 };
-    let audited = Audited::new(&seen, budget, rounding);
+/// The relative excess over a majorant that counts as rounding.
+fn rounding(subject: &Subject) -> f64 {
+    if subject.bits <= 24 { 1e-6 } else { 1e-12 }
+}
+
+fn grey(subject: &Subject, truth: &dyn Medium, audited: &Audited, streams: &Streams, draws: &mut Draws) {
     let clean = !Fault::spoil_lookups(subject.faults);
     if clean && subject.route == Route::Block {
-        block(subject.work, truth, &audited, streams, draws);
+        block(subject.work, truth, audited, streams, draws);
     } else {
-        let faulty = Faulty::new(Site { medium: &audited, key: streams.key() }, subject.faults);
+        let faulty = Faulty::new(Site { medium: audited, key: streams.key() }, subject.faults);
         if subject.one_by_one() {
             one_by_one(subject.work, truth, &faulty, streams, draws);
         } else {
             block(subject.work, truth, &faulty, streams, draws);
         }
     }
-    (audited.record(), audited.spent())
 }
 
 fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Streams, draws: &mut Draws) {
@@ -154,12 +177,18 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
 }
 
 fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams, draws: &mut Draws) {
-    let mut rng = Wrapped::new(streams.rng(), medium.overlays());
+    let mut stream = streams.rng();
+    let mut rng = Wrapped::new(&mut stream, medium.overlays());
     for row in 0..draws.rows {
         let path = loop {
             medium.begin();
             let path = match work {
-                Work::FreePath(sampler) => sampler.sample(medium, &mut rng),
+                Work::FreePath(sampler) if draws.mark.is_empty() => sampler.sample(medium, &mut rng),
+                Work::FreePath(sampler) => {
+                    let (path, mark) = sampler.sample_marked(medium, &mut rng);
+                    draws.mark[row] = mark;
+                    path
+                }
                 Work::Transmittance(estimator) => {
                     FreePath { t: f64::INFINITY, weight: estimator.estimate(medium, &mut rng), collisions: 0 }
                 }

@@ -10,15 +10,21 @@ mod chi_square;
 mod coleman;
 mod cramer_von_mises;
 mod doubt;
+mod exposure;
 mod family;
 mod grouped;
 mod kolmogorov;
 mod kuiper;
 mod lag;
 mod lookups;
+mod mark;
 mod mean;
+mod neyman;
+mod null_positions;
+mod pairs;
 mod poisson_count;
 mod second_moment;
+mod series;
 mod ties;
 
 pub use agree::{Sample, agree_atom, agree_law, agree_mean};
@@ -26,20 +32,26 @@ pub use anderson_darling::anderson_darling;
 pub use atom::atom;
 pub(crate) use atom::nearest;
 pub use berk_jones::{BerkJones, berk_jones};
-pub use chi_square::{chi_square, least_expected, residuals};
+pub use chi_square::{chi_square, detectable_cell, least_expected, residuals};
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
 pub use doubt::doubt;
+pub use exposure::{detectable_scale, exposure};
 pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
 pub use kuiper::kuiper;
-pub use lag::{lag, lag_observed};
+pub use lag::{lag, lag_observed, lags};
 pub use lookups::{BlockLookups, lookups};
+pub use mark::mark;
 pub(crate) use mean::within;
 pub use mean::{Interval, MeanClaim, Method, interval_at, mean, open};
+pub use neyman::neyman;
+pub use null_positions::null_positions;
+pub use pairs::pairs;
 pub use poisson_count::poisson_count;
 pub use second_moment::second_moment;
+pub use series::series;
 pub use ties::{pair_probability, ties};
 
 /// Each check that finds facts, by name, with what it looks at: no p-value, and one fact fails.
@@ -69,6 +81,8 @@ pub const NAMES: &[(&str, &str)] = &[
     ("chi_square_64", chi_square::WORDS),
     ("chi_square_fine", chi_square::WORDS),
     ("kolmogorov", kolmogorov::WORDS),
+    ("exposure", exposure::WORDS),
+    ("neyman_16", neyman::WORDS),
     ("anderson_darling", anderson_darling::WORDS),
     ("cramer_von_mises", cramer_von_mises::WORDS),
     ("kuiper", kuiper::WORDS),
@@ -77,6 +91,11 @@ pub const NAMES: &[(&str, &str)] = &[
     ("poisson_count", poisson_count::WORDS),
     ("ties", ties::WORDS),
     ("lag_1", lag::WORDS),
+    ("lag_2_to_8", lag::FURTHER),
+    ("pairs_16", pairs::WORDS),
+    ("null_positions", null_positions::WORDS),
+    ("series", series::WORDS),
+    ("mark", mark::WORDS),
     ("mean", mean::WORDS),
     (
         "growth",

@@ -105,6 +105,7 @@ fn series(law: bool, mean: bool, x: Real, length: usize) -> Series {
         cdf: law.then(|| CdfSeries { t: many(), difference: many(), band: x, own: many() }),
         histogram: law.then(|| HistogramSeries { edges: many(), density: many(), expected: many(), escape: x, escape_expected: x }),
         residuals: law.then(|| ResidualSeries { edges: many(), residual: many(), escape: true }),
+        life_table: None,
         running: mean.then(|| RunningSeries { draws: many(), mean: many(), half_width: many() }),
     }
 }

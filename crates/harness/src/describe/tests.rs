@@ -5,7 +5,6 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("chi_square_64", CHI_SQUARE),
     ("chi_square_fine", CHI_SQUARE),
     ("kolmogorov", KOLMOGOROV),
-    ("berk_jones", BERK_JONES),
     ("anderson_darling", ANDERSON_DARLING),
     ("cramer_von_mises", CRAMER_VON_MISES),
     ("kuiper", KUIPER),
@@ -73,18 +72,6 @@ V = sup (F_m - u) + sup (u - F_m),   p = Q((sqrt m + 0.155 + 0.24 / sqrt m) V)
 Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
 Rejects: nothing; shown beside the others. Sees a shift in the middle that ends cancel in `kolmogorov`.
 Source:  Kuiper (1960), Stephens (1970).";
-
-const BERK_JONES: &str = "\
-```text
-R = max m (a ln(a / u) + (1 - a) ln((1 - a) / (1 - u))),   a the share of the m collided draws at or below u = F(t) / F(length)
-```
-over the 512 smallest and the 512 largest draws and the edges of the fine cells between.
-Gate:    100 collisions; a law without atoms.
-Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
-Sees:    a handful of draws too many or too few at either end of the ray.
-p:       simulated down to 1e-3; beyond, a bound proven by martingales, at most some 4 times too large: p has no floor, and stays at
-         1e-3 for about one unit of R before it falls on.
-Source:  Berk and Jones (1979); the bound by Ville (1939).";
 
 const COLEMAN: &str = "\
 ```text

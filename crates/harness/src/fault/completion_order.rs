@@ -33,6 +33,7 @@ impl Plant for CompletionOrder {
             order.sort_by_key(|&row| draws.collisions.get(row).copied().unwrap_or(0));
             permute(&mut draws.t, part, &order);
             permute(&mut draws.weight, part, &order);
+            permute(&mut draws.mark, part, &order);
             permute(&mut draws.collisions, part, &order);
         }
     }

@@ -33,7 +33,7 @@ fn drawn(medium: &str, subject: &str, fault: &str) -> Draws {
     let (mut block, mut all) = (columns(&subject, BLOCK), columns(&subject, 0));
     for number in 0..8 {
         let key = Key { seed: 3, subject: 4, block: number };
-        sample_block(&subject, key, number * BLOCK as u64, &mut block).expect("a block");
+        sample_block(&subject, key, number * BLOCK as u64, &mut block, None).expect("a block");
         all.rows += block.rows;
         all.t.extend(&block.t);
         all.weight.extend(&block.weight);

@@ -5,14 +5,14 @@ use std::convert::Infallible;
 
 /// The generator of the scalar method behind faults that concern uniforms.
 pub struct Wrapped<'a, 'b> {
-    stream: StreamRng<'a>,
+    stream: &'b mut StreamRng<'a>,
     overlays: &'b [Box<dyn Overlay + 'b>],
 }
 
 impl<'a, 'b> Wrapped<'a, 'b> {
     /// `stream` behind `overlays`.
     #[must_use]
-    pub fn new(stream: StreamRng<'a>, overlays: &'b [Box<dyn Overlay + 'b>]) -> Self {
+    pub fn new(stream: &'b mut StreamRng<'a>, overlays: &'b [Box<dyn Overlay + 'b>]) -> Self {
         Self { stream, overlays }
     }
 }
@@ -33,7 +33,7 @@ impl TryRng for Wrapped<'_, '_> {
     }
 
     fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        Ok(word(&mut self.stream, self.overlays))
+        Ok(word(self.stream, self.overlays))
     }
 
     fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {

@@ -1,7 +1,9 @@
 use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scene, Scores, Subject, Work, pair_probability};
 use crate::test::larger;
 use crate::verdict::Reason;
+use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::Survival;
+use freepath_estimators::medium::segment;
 
 /// The law of the column `t`.
 pub struct LawPlan {
@@ -9,7 +11,7 @@ pub struct LawPlan {
     pub truth: Law,
     /// The law that the sampler has by design, if that is another; on the same cells.
     pub own: Option<Law>,
-    /// Ranks for the lag-1 test, under the law that the draws should follow; none if independence is not claimed.
+    /// Ranks for the tests of order, under the law that the draws should follow; none if independence is not claimed.
     pub scores: Option<Scores>,
     /// Probability that two draws tie; none if the law has atoms, or no collisions.
     pub pair: Option<f64>,
@@ -17,6 +19,10 @@ pub struct LawPlan {
     pub continuous: bool,
     /// Whether (collisions, t) follow Coleman's law; then A = int (mu_bar - mu) is known.
     pub coleman: bool,
+    /// Where the ray is cut in two, for a sampler of the medium's law that can be driven one draw at a time.
+    pub cut: Option<f64>,
+    /// Whether each draw comes with a mark that is claimed to be independent of it.
+    pub marked: bool,
     /// What a rejection of the medium's law means.
     pub reason: Reason,
 }
@@ -38,6 +44,11 @@ impl LawPlan {
         plan.pair = plan.pair.filter(|_| claims.continuous);
         plan.continuous = claims.continuous;
         plan.coleman = claims.coleman && subject.claims(Claim::Lookups);
+        if let Work::FreePath(sampler) = subject.work {
+            let parts = claims.parts && plan.own.is_none();
+            plan.cut = parts.then(|| cut(truth)).filter(|&cut| works_in_parts(sampler, truth, cut));
+            plan.marked = sampler.marked() && plan.scores.is_some();
+        }
         plan
     }
 
@@ -52,7 +63,7 @@ impl LawPlan {
         let scores = independent.then(|| Scores::new(followed));
         let pair =
             independent.then(|| pair_probability(followed, subject.bits)).filter(|_| followed.collided() > 0.0);
-        Self { scores, pair, truth, own, continuous: true, coleman: false, reason }
+        Self { scores, pair, truth, own, continuous: true, coleman: false, cut: None, marked: false, reason }
     }
 
     /// sup |F_own - F| over the edges, 0 if the law is the medium's.
@@ -62,6 +73,19 @@ impl LawPlan {
         let gaps = (0..=own.cells()).map(|k| (own.survival(k) - self.truth.survival(k)).abs());
         gaps.fold(0.0, larger)
     }
+}
+
+/// Whether the sampler accepts both parts of a ray.
+fn works_in_parts(sampler: &dyn FreePathSampler, medium: &dyn Medium, cut: f64) -> bool {
+    let accepts = |from, to| segment(medium, from, to).is_ok_and(|part| sampler.accepts(&part).is_ok());
+    accepts(0.0, cut) && accepts(cut, medium.length())
+}
+
+/// The break nearest to 0.37 of the length, where renderers change cells; that very place if there is none.
+fn cut(medium: &dyn Medium) -> f64 {
+    let wanted = 0.37 * medium.length();
+    let nearer = |a: f64, b: f64| if (b - wanted).abs() < (a - wanted).abs() { b } else { a };
+    medium.breaks().iter().copied().reduce(nearer).unwrap_or(wanted)
 }
 
 /// P(t > x) at any x: of the medium's law, and of the law that the method has by design, if that is another.

@@ -11,6 +11,14 @@ pub struct LawResult {
     pub bound: Real,
     /// sup |F - F_subject| that would have been seen with 90 % power.
     pub detectable: Real,
+    /// The smallest relative error of the extinction, the same everywhere, that the exposure score would have seen at the
+    /// reporting level with 90 % power; none where the score is withheld.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub detectable_scale: Option<Real>,
+    /// The smallest relative error of the probability of one cell, of the 64 of nearly equal probability (fewer if draws are
+    /// few), that chi-square would have seen at the reporting level with 90 % power; none where that test is withheld.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub detectable_cell: Option<Real>,
     /// The probability of escape.
     pub atom: Atom,
     /// How draws grew towards a bound, if the case asks for one; `bound` is then the one that was reached.
@@ -70,4 +78,32 @@ pub struct ResidualSeries {
     pub residual: Vec<Real>,
     /// Whether the last residual is that of escapes.
     pub escape: bool,
+}
+
+/// Where along the ray the law breaks: collisions in each row of t among the draws that reach it. A diagnosis; no verdict
+/// uses it.
+///
+/// Rows follow the medium's breaks or voxels, each moved to the nearest edge of a fine cell (2^-14 of the length or less);
+/// where there are fewer than 8 breaks, 16 equal rows are cut as well, and neighbours are joined until there are at most 128.
+/// Given the draws at risk, the collisions of a row are binomial with the probability 1 - exp(-(tau(end) - tau(start))).
+/// All are judged against the medium's law, also those of a method that is biased by design.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+pub struct LifeTable {
+    /// Where the rows begin and end, in length units: one more than rows. The lists below have one number for each row.
+    pub edges: Vec<Real>,
+    /// Draws that reach the row's start, escapes included.
+    pub at_risk: Vec<u64>,
+    /// Draws that collide in the row.
+    pub collisions: Vec<u64>,
+    /// Collisions expected among those at risk.
+    pub expected: Vec<Real>,
+    /// Observed over expected hazard, ln(1 - collisions / at_risk) / -(tau(end) - tau(start)): by what factor the extinction
+    /// looks too large in this row; "nan" where nothing can be said.
+    pub ratio: Vec<Real>,
+    /// Exact limits of the ratio (Clopper-Pearson) at the reporting level.
+    pub low: Vec<Real>,
+    /// As `low`.
+    pub high: Vec<Real>,
+    /// Exact binomial mid-p, two-sided by doubling, of the row alone: with k rows, one of them below 0.001 / k is worth a look.
+    pub p: Vec<Real>,
 }

@@ -2,7 +2,7 @@
 
 use super::efficiency::efficiency;
 use super::grow::settled;
-use super::{Options, Prepared, PreparedSubject, Trial, expected, series};
+use super::{Options, Prepared, PreparedSubject, Trial, expected, life_table, series};
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
@@ -10,14 +10,15 @@ use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
-    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, RunningSeries,
-    Series, SubjectResult, TestResult,
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
+    SubjectResult, TestResult,
 };
 use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
+use crate::subject::Scene;
 use crate::tally::{CellTally, PowerSums};
-use crate::test::{Interval, MeanClaim, larger, mean};
-use crate::verdict::Reason;
+use crate::test::{Interval, MeanClaim, detectable_cell, detectable_scale, larger, mean};
+use crate::verdict::{Reason, Verdict};
 
 pub(super) fn result(
     cases: &[Prepared],
@@ -58,7 +59,7 @@ pub(super) fn result(
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: stages(first, second).flat_map(tests).collect(),
         facts: stages(first, second).flat_map(facts).collect(),
-        series: Series { running: running(trial), ..of_law(cells(trial)) },
+        series: all_series(trial),
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
@@ -81,10 +82,6 @@ fn known<'a>(trial: &'a Trial) -> Option<&'a Collected> {
     trial.first.collected.as_ref().filter(|_| trial.plan.known)
 }
 
-fn running(trial: &Trial) -> Option<RunningSeries> {
-    means(trial).and(trial.first.collected.as_ref()).map(|seen| series::running(&seen.running))
-}
-
 fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
     let Trial { prepared, plan, .. } = trial;
     expected(prepared.spec.expect, !prepared.faults.is_empty(), plan.design, decision)
@@ -101,13 +98,30 @@ fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item
     [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
-/// The series of a law.
-fn of_law(cells: Option<(&LawPlan, &CellTally)>) -> Series {
+/// What the plots of a subject draw.
+fn all_series(trial: &Trial) -> Series {
+    let cells = cells(trial);
+    let seen = trial.first.collected.as_ref().filter(|_| means(trial).is_some());
     Series {
         cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
         histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),
         residuals: cells.and_then(|(plan, cells)| series::residual(plan, cells)),
-        running: None,
+        life_table: cells.map(|(plan, cells)| life_table::of(plan, breaks(trial.subject.scene), cells)),
+        running: seen.map(|seen| series::running(&seen.running)),
+    }
+}
+
+/// The same, and where the law breaks if the subject fails.
+pub(super) fn diagnosed(mut result: SubjectResult) -> SubjectResult {
+    let fails = result.verdict == Verdict::Fail;
+    result.notes.extend(result.series.life_table.as_ref().filter(|_| fails).and_then(life_table::worst));
+    result
+}
+
+fn breaks(scene: Scene<'_>) -> &[f64] {
+    match scene {
+        Scene::Grey { truth, .. } => truth.breaks(),
+        Scene::Chromatic(_) => &[],
     }
 }
 
@@ -251,6 +265,8 @@ fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawRe
         distance: Real(distance),
         bound: grown.map_or(Real(hidden + band), |grown| grown.bound),
         detectable: Real(band + power),
+        detectable_scale: detectable_scale(law, n, REPORTING_LEVEL).map(Real),
+        detectable_cell: detectable_cell(law, tally, REPORTING_LEVEL).map(Real),
         atom: Atom {
             expected: Real(law.atom()),
             estimate: Real(tally.escapes as f64 / n as f64),

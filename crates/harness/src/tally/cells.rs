@@ -38,7 +38,7 @@ impl CellTally {
 
     /// Counts a column of free paths, and writes the cell of each into `index`.
     pub fn observe(&mut self, law: &Law, t: &[f64], index: &mut Vec<u32>) {
-        locate(law, t, index);
+        locate(Lattice::of(law), t, index);
         for (&cell, &t) in index.iter().zip(t) {
             match self.cells.get_mut(cell as usize) {
                 Some(count) => *count += 1,
@@ -60,9 +60,22 @@ impl CellTally {
     }
 }
 
+/// What it takes to find the fine cell of a t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lattice {
+    scale: f64,
+    length: f64,
+    last: u32,
+}
+
+impl Lattice {
+    pub(super) fn of(law: &Law) -> Self {
+        Self { scale: law.scale(), length: law.length(), last: (law.cells() - 1) as u32 }
+    }
+}
+
 /// The fine cell of each draw: t = length itself belongs to the last.
-fn locate(law: &Law, t: &[f64], index: &mut Vec<u32>) {
-    let (scale, length, last) = (law.scale(), law.length(), (law.cells() - 1) as u32);
+pub(super) fn locate(Lattice { scale, length, last }: Lattice, t: &[f64], index: &mut Vec<u32>) {
     index.resize(t.len(), 0);
     freepath_estimators::simd::dispatch(
         #[inline(always)]

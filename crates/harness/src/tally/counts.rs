@@ -6,6 +6,12 @@ pub(crate) const COLUMNS: usize = 16;
 /// Collision counts kept apart; all above share the last.
 const ROWS: usize = 512;
 
+/// The group of each fine cell.
+pub(super) fn group_of_cells(groups: &Groups) -> Vec<u8> {
+    let group = groups.bounds.windows(2).enumerate();
+    group.flat_map(|(g, w)| (w[0]..w[1]).map(move |_| g as u8)).collect()
+}
+
 /// Counts of (tentative collisions, group of t), escapes in a column of their own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CountTally {
@@ -27,9 +33,8 @@ impl CountTally {
     #[must_use]
     pub fn joint(law: &Law) -> Self {
         let groups = Self::groups(law);
-        let of_cell = groups.bounds.windows(2).enumerate().flat_map(|(g, w)| (w[0]..w[1]).map(move |_| g as u8));
         let columns = groups.mass.len() + 1;
-        Self { counts: vec![0; ROWS * columns], columns, group: of_cell.collect() }
+        Self { counts: vec![0; ROWS * columns], columns, group: group_of_cells(&groups) }
     }
 
     /// The groups of t that a joint table uses.

@@ -1,26 +1,42 @@
 use super::CellTally;
-use super::cells::ESCAPE;
+use super::cells::{ESCAPE, NOWHERE};
 use crate::law::Law;
 
-/// Products of neighbouring draws in drawing order, in ranks of 15 bits so that the sum is an integer.
+/// The lags that are tallied: 1 to this.
+pub const LAGS: usize = 8;
+
+/// Groups of ranks in the table of neighbours.
+pub const RANK_GROUPS: usize = 16;
+
+/// Products of draws a few places apart in drawing order, and a table of neighbours, in ranks of 12 bits so that all sums are
+/// integers.
 ///
 /// The score of a draw is F at the middle of its fine cell, of an escape the middle of [F(length), 1], less one half; in
-/// units of 2^-15.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// units of 2^-12. The group of a draw is the sixteenth of [0, 1] in which that F lies.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LagTally {
-    /// The sum of (score - mean)(next score - mean), in units of 2^-30, over pairs within blocks.
-    pub products: i128,
-    /// How many pairs.
-    pub pairs: u64,
+    /// For each lag from 1 the sum of (score - mean)(later score - mean), in units of 2^-24, over pairs within blocks.
+    pub products: [i128; LAGS],
+    /// For each lag, how many pairs.
+    pub pairs: [u64; LAGS],
+    /// Row `a`, column `b`: draws of group a followed by one of group b, within blocks.
+    pub neighbours: Box<[[u64; RANK_GROUPS]; RANK_GROUPS]>,
+    /// The scores of a block.
+    buffer: Vec<i16>,
 }
 
-const UNIT: f64 = 32768.0;
+const UNIT: f64 = 4096.0;
+
+/// Products summed at a time: each is less than 2^23, so that they fit 32 bits.
+const PART: usize = 256;
 
 /// The scores of a law's cells.
 #[derive(Clone, Debug)]
 pub struct Scores {
-    cells: Vec<i32>,
-    escape: i32,
+    /// Of no cell, of an escape, then of each cell: where `cell + 2` wraps to.
+    table: Vec<i16>,
+    /// What was subtracted from F.
+    mean: i16,
     variance: f64,
     skewness: f64,
 }
@@ -41,10 +57,10 @@ impl Scores {
         let centred = |score: f64| score - mean - offset;
         let variance = weighted(&|score| centred(score) * centred(score));
         let third = weighted(&|score| centred(score) * centred(score) * centred(score));
-        let whole = cells.iter().map(|score| (score - mean) as i32).collect();
+        let whole = cells.iter().map(|score| (score - mean) as i16);
         Self {
-            cells: whole,
-            escape: (escape - mean) as i32,
+            table: [0, (escape - mean) as i16].into_iter().chain(whole).collect(),
+            mean: mean as i16,
             variance,
             skewness: third / (variance * variance.sqrt()),
         }
@@ -65,9 +81,9 @@ impl Scores {
     /// The mean score of the draws in `tally`.
     #[must_use]
     pub fn mean_of(&self, tally: &CellTally) -> f64 {
-        let scored = |(&count, &score): (&u64, &i32)| i128::from(count) * i128::from(score);
-        let inside: i128 = tally.cells.iter().zip(&self.cells).map(scored).sum();
-        let sum = inside + i128::from(tally.escapes) * i128::from(self.escape);
+        let scored = |(&count, &score): (&u64, &i16)| i128::from(count) * i128::from(score);
+        let inside: i128 = tally.cells.iter().zip(&self.table[2..]).map(scored).sum();
+        let sum = inside + i128::from(tally.escapes) * i128::from(self.of(ESCAPE));
         sum as f64 / tally.draws() as f64
     }
 
@@ -75,7 +91,7 @@ impl Scores {
     #[must_use]
     pub fn spread_of(&self, tally: &CellTally) -> (f64, f64) {
         let (n, mean) = (tally.draws() as f64, self.mean_of(tally));
-        let scored = tally.cells.iter().zip(&self.cells).chain([(&tally.escapes, &self.escape)]);
+        let scored = [&tally.escapes].into_iter().chain(&tally.cells).zip(&self.table[1..]);
         let (mut second, mut third) = (0.0, 0.0);
         for (&count, &score) in scored.filter(|(count, _)| **count > 0) {
             let off = f64::from(score) - mean;
@@ -86,30 +102,114 @@ impl Scores {
     }
 
     #[inline(always)]
-    fn of(&self, cell: u32) -> i32 {
-        if cell == ESCAPE { self.escape } else { self.cells.get(cell as usize).copied().unwrap_or(0) }
+    fn of(&self, cell: u32) -> i16 {
+        const _: () =
+            assert!(NOWHERE.wrapping_add(2) == 0 && ESCAPE.wrapping_add(2) == 1, "the head of the table");
+        self.table.get(cell.wrapping_add(2) as usize).copied().unwrap_or(0)
+    }
+
+    /// The group of a draw.
+    pub(super) fn group_of(&self, cell: u32) -> usize {
+        self.group(self.of(cell))
+    }
+
+    #[inline(always)]
+    fn group(&self, score: i16) -> usize {
+        let group = (score + self.mean) >> 8; // 4096 / 16 units; F = 1 is one too many
+        if (group as usize) < RANK_GROUPS { group as usize } else { RANK_GROUPS - 1 }
+    }
+}
+
+impl Default for LagTally {
+    fn default() -> Self {
+        let neighbours = Box::new([[0; RANK_GROUPS]; RANK_GROUPS]);
+        Self { products: [0; LAGS], pairs: [0; LAGS], neighbours, buffer: Vec::new() }
     }
 }
 
 impl LagTally {
     /// Adds the pairs of one block, given the fine cell of each draw.
     pub fn observe(&mut self, scores: &Scores, index: &[u32]) {
-        let Some((&first, rest)) = index.split_first() else {
-            return;
-        };
-        let (mut previous, mut sum) = (i64::from(scores.of(first)), 0); // a block fits: 2^14 products of 2^30
-        for &cell in rest {
-            let score = i64::from(scores.of(cell));
-            sum += previous * score;
-            previous = score;
+        let Self { products, pairs, neighbours, buffer } = self;
+        buffer.clear();
+        buffer.extend(index.iter().map(|&cell| scores.of(cell)));
+        for (i, (products, pairs)) in products.iter_mut().zip(pairs).enumerate() {
+            let later = buffer.get(i + 1..).unwrap_or_default();
+            *products += i128::from(dot(buffer, later));
+            *pairs += later.len() as u64;
         }
-        self.products += i128::from(sum);
-        self.pairs += rest.len() as u64;
+        count(scores, buffer, neighbours);
     }
 
     /// Adds the pairs of another worker.
     pub fn merge(&mut self, other: &Self) {
-        self.products += other.products;
-        self.pairs += other.pairs;
+        for i in 0..LAGS {
+            self.products[i] += other.products[i];
+            self.pairs[i] += other.pairs[i];
+        }
+        let theirs = other.neighbours.as_flattened();
+        self.neighbours.as_flattened_mut().iter_mut().zip(theirs).for_each(|(a, b)| *a += b);
+    }
+}
+
+/// The sum of products, as far as the shorter goes.
+fn dot(a: &[i16], b: &[i16]) -> i64 {
+    freepath_estimators::simd::dispatch(
+        #[inline(always)]
+        || {
+            let part = |(a, b): (&[i16], &[i16])| {
+                let mut sum = 0;
+                for (&a, &b) in a.iter().zip(b) {
+                    sum += i32::from(a) * i32::from(b);
+                }
+                i64::from(sum)
+            };
+            a.chunks(PART).zip(b.chunks(PART)).map(part).sum()
+        },
+    )
+}
+
+fn count(scores: &Scores, buffer: &[i16], neighbours: &mut [[u64; RANK_GROUPS]; RANK_GROUPS]) {
+    let Some((&first, rest)) = buffer.split_first() else {
+        return;
+    };
+    let mut before = scores.group(first);
+    for &score in rest {
+        let group = scores.group(score);
+        neighbours[before][group] += 1;
+        before = group;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_products_are_those_of_a_plain_loop() {
+        let law = Law::new(2.0, 0.0, |t| libm::exp(-1.3 * t));
+        let scores = Scores::new(&law);
+        let index: Vec<u32> =
+            (0..5000u32).map(|i| if i % 7 == 0 { ESCAPE } else { i * i * 31 % law.cells() as u32 }).collect();
+        let mut tally = LagTally::default();
+        tally.observe(&scores, &index);
+        for lag in 1..=LAGS {
+            let pair = |w: (&u32, &u32)| i128::from(scores.of(*w.0)) * i128::from(scores.of(*w.1));
+            let plain: i128 = index.iter().zip(&index[lag..]).map(pair).sum();
+            assert_eq!((tally.products[lag - 1], tally.pairs[lag - 1]), (plain, 5000 - lag as u64));
+        }
+        assert_eq!(tally.neighbours.as_flattened().iter().sum::<u64>(), 4999);
+        let mut twice = tally.clone();
+        twice.merge(&tally);
+        assert_eq!(twice.products[3], 2 * tally.products[3]);
+    }
+
+    #[test]
+    fn groups_are_sixteenths_of_the_law() {
+        let law = Law::new(9.0, 0.0, |t| libm::exp(-9.0 * t));
+        let scores = Scores::new(&law);
+        let mut mass = [0.0; RANK_GROUPS];
+        (0..law.cells()).for_each(|k| mass[scores.group(scores.of(k as u32))] += law.mass(k));
+        assert!(mass.iter().all(|m| (m * 16.0 - 1.0).abs() < 0.05), "{mass:?}");
     }
 }

@@ -1,6 +1,6 @@
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, POWER};
 use crate::law::{Groups, LEAST_SHARE, Law};
-use crate::special::chi_square_sf;
+use crate::special::{chi_square_noncentrality, chi_square_sf};
 use crate::tally::CellTally;
 use crate::verdict::Reason;
 
@@ -54,6 +54,20 @@ pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups,
     let residual = observed.iter().zip(&mass).map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * law.slack()));
     let residual = residual.collect();
     Some((groups, residual, escape))
+}
+
+/// The smallest relative error of one cell of 64 that the test would have seen at `level` with the usual power, the other cells
+/// sharing the difference; of the lightest cell, so that it holds for each. None where the test is withheld.
+///
+/// ```text
+/// r = sqrt(l (1 - p) / (n p)),   l = n sum (q - p)^2 / p the noncentrality that the power needs
+/// ```
+#[must_use]
+pub fn detectable_cell(law: &Law, tally: &CellTally, level: f64) -> Option<f64> {
+    let (n, (groups, residual, _)) = (tally.draws() as f64, residuals(law, tally, 64)?);
+    let lightest = groups.mass.iter().copied().reduce(|a, b| if b < a { b } else { a })?;
+    let noncentrality = chi_square_noncentrality((residual.len() - 1) as f64, level, POWER);
+    Some((noncentrality * (1.0 - lightest) / (n * lightest)).sqrt())
 }
 
 /// At most `wanted` cells for so many collisions, and whether so many escapes make one of their own.

@@ -53,6 +53,8 @@ fn law(result: &mut SubjectResult, escape: f64, distance: f64, noise: &mut Noise
         distance: distance.into(),
         bound: (distance + BAND).into(),
         detectable: (2.4 * BAND).into(),
+        detectable_scale: None,
+        detectable_cell: None,
         atom: Atom {
             expected: escape.into(),
             estimate: share.into(),
