@@ -28,10 +28,6 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("agree_reversed", AGREE),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
-    ("agree_majorant", AGREE),
-    ("agree_segments", AGREE),
-    ("agree_grid", AGREE),
-    ("agree_reversed", AGREE),
     ("pdf_integral", PDF_INTEGRAL),
 ];
 
@@ -174,16 +170,6 @@ int_0^length pdf + P(surface) = 1, to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.";
-
-const AGREE: &str = "\
-```text
-T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m)
-X^2 = sum_i (a_i / a - b_i / b)^2 a b / (a_i + b_i)
-```
-0/1 by Fisher's exact test; a law by its escapes (exact) and by cells of 128 draws in both, p = 2 min of the two.
-Gate:    as mean for means; made only where the case asks for it by `agree`. Nobody needs to know tau.
-Rejects: as biased, or as wrong_law for a law: one of the two settings, or both, is wrong.
-Source:  Fisher (1935), Welch (1938), Hall (1992).";
 
 const BERK_JONES: &str = "\
 ```text
