@@ -112,6 +112,7 @@ impl Finite {
         for (&x, &n) in self.points.iter().zip(counts).filter(|(_, n)| **n > 0) {
             let mut one = PowerSums::of(center, &[x]);
             one.sums.iter_mut().for_each(|sum| *sum *= n as f64);
+            one.absolute *= n as f64;
             (one.n, one.zeros, one.ones) = (n, one.zeros * n, one.ones * n);
             all.merge(&one);
         }

@@ -1,7 +1,7 @@
 //! The gates that keep a p-value from being used where docs/levels.md says that it is not true.
 
 use freepath_harness::law::Law;
-use freepath_harness::tally::{CellTally, CountTally, LagTally, PowerSums, Scores};
+use freepath_harness::tally::{CellTally, CountTally, LAGS, LagTally, PowerSums, Scores};
 use freepath_harness::test::{
     BlockLookups, MeanClaim, Method, chi_square, kolmogorov, lag, least_expected, lookups, mean, poisson_count,
     residuals, second_moment,
@@ -86,6 +86,13 @@ fn second_moments_of_skew_squares_are_withheld() {
     assert!(given(110) && !given(90));
 }
 
+/// So many pairs at every lag, and no correlation.
+fn paired(pairs: u64) -> LagTally {
+    let mut tally = LagTally::default();
+    tally.pairs = [pairs; LAGS];
+    tally
+}
+
 #[test]
 fn few_blocks_and_few_pairs_say_nothing() {
     let totals = |blocks: u64, spread: u64| {
@@ -93,14 +100,14 @@ fn few_blocks_and_few_pairs_say_nothing() {
         (0..blocks).for_each(|i| seen.observe(1000 + spread * (i % 2)));
         lookups(&seen, 16_384, 1000.0 / 16_384.0, 0.0).p.is_some()
     };
-    assert!(totals(20, 10) && !totals(19, 10));
-    assert!(!totals(20, 8), "a variance of all draws below 400 may be a few rare ones");
+    assert!(totals(20, 20) && !totals(19, 20));
+    assert!(totals(20, 16) && !totals(20, 15), "a variance of all draws below 1111 may be a few rare ones");
     let law = Law::new(1.0, 0.0, |t| libm::exp(-t));
     let (scores, cells) = (Scores::new(&law), tally(&law, 1001));
-    let of = |pairs| lag(&scores, &LagTally { products: 0, pairs, ..LagTally::default() }, &cells).p.is_some();
+    let of = |pairs| lag(&scores, &paired(pairs), &cells).p.is_some();
     assert!(of(1000) && !of(999));
     let thin = Law::new(1.0, 0.0, |t| libm::exp(-0.06 * t));
-    let thin = lag(&Scores::new(&thin), &LagTally { pairs: 1000, ..LagTally::default() }, &tally(&thin, 1001));
+    let thin = lag(&Scores::new(&thin), &paired(1000), &tally(&thin, 1001));
     assert_eq!(thin.p, None, "1000 pairs of skew ranks");
     assert_eq!(kolmogorov(&law, &CellTally::new(&law), Reason::WrongLaw).p, None);
 }

@@ -425,6 +425,7 @@ fn every_test_rejects_a_mutant() {
         .iter()
         .map(|(name, _)| *name)
         .filter(|name| !shown.contains(name) && !elsewhere.contains(name))
+        .filter(|name| !name.starts_with("agree_")) // two samples: agreement.rs
         .collect();
     assert!(unshown.is_empty(), "no mutant for {unshown:?}");
 }

@@ -6,14 +6,26 @@ use freepath_estimators::simd::{Isa, detect, limit};
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{Draws, FreePathSampler, Key, Streams, TransmittanceEstimator};
 use freepath_harness::case::{Limits, Prepared};
-use freepath_tests::{case_paths, load, results};
+use freepath_tests::{case_paths, load, parse, results};
 
 fn small() -> Vec<Prepared> {
     let limits = Limits { draws: Some(40_000), ..Limits::default() };
     let some = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
     let wanted = |path: &std::path::PathBuf| some.iter().any(|name| path.to_string_lossy().contains(name));
-    case_paths("cases").iter().filter(|path| wanted(path)).flat_map(|path| load(path, &limits)).collect()
+    let shipped = case_paths("cases").into_iter().filter(wanted).flat_map(|path| load(&path, &limits));
+    shipped.chain(parse(GROWING)).collect()
 }
+
+/// Draws that double a few times.
+const GROWING: &str = r#"{
+  "title": "growing", "draws": 40000, "budget": 400000, "bias_bound": { "relative": 1e-2 },
+  "medium": { "gaussian": { "peak": 4.0, "center": 0.9, "width": 0.25, "length": 2.0 } },
+  "subjects": [
+    { "free_path": { "delta_tracking": {} } },
+    { "transmittance": { "delta_tracking": {} } },
+    { "transmittance": { "ratio_tracking": {} } },
+    { "transmittance": { "residual_ratio_tracking": { "control": "mean" } } }
+  ] }"#;
 
 fn bytes(cases: &[Prepared]) -> String {
     serde_json::to_string(&results(cases, 7)).expect("results are JSON")

@@ -295,7 +295,7 @@ fn tracked(n: usize) -> Vec<f32> {
 
 fn shipped() -> (PathBuf, Vec<u8>) {
     let bytes: Vec<u8> = tracked(49_152).iter().flat_map(|t| t.to_le_bytes()).collect();
-    (freepath_tests::root().join("cases/data/free_paths_49152_f32.npy"), npy("<f4", "(49152,)", &bytes))
+    (freepath_tests::root().join("cases/data/free_paths_f32.npy"), npy("<f4", "(49152,)", &bytes))
 }
 
 #[test]

@@ -29,6 +29,8 @@ pub(crate) enum Verb {
     Check(Check),
     /// Print and plot the medium of cases: mu, majorant, tau and T.
     Medium(Medium),
+    /// Bound the bias of subjects far below the noise, by scrambled Sobol points.
+    Microscope(Microscope),
     /// Find how many draws each planted fault needs to be seen, and what sees it.
     Power(Power),
     /// List every name that a case can use, and every test and reason.
@@ -190,6 +192,32 @@ pub(crate) struct Medium {
     /// Print JSON: the medium as results.json has it.
     #[arg(long)]
     pub(crate) json: bool,
+    /// Let cases name files outside their own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+}
+
+/// `freepath microscope`.
+#[derive(Args, Debug)]
+pub(crate) struct Microscope {
+    /// Case files, or folders of them.
+    #[arg(value_name = "CASE", required = true)]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Only subjects whose id, name, case or file holds this text, or matches it if it has a `*`.
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) filter: Option<String>,
+    /// Points of a net: a power of 2 up to 65536.
+    #[arg(long, value_name = "N", default_value = "65536", value_parser = number::points)]
+    pub(crate) points: u32,
+    /// Independent scrambles.
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    pub(crate) scrambles: u32,
+    /// The seed of all scrambles.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Worker threads [default: one per CPU]; results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = number::jobs)]
+    pub(crate) jobs: Option<usize>,
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,

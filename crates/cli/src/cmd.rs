@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod describe;
 pub(crate) mod list;
 pub(crate) mod medium;
+pub(crate) mod microscope;
 pub(crate) mod power;
 pub(crate) mod report;
 pub(crate) mod run;

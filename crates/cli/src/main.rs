@@ -25,6 +25,7 @@ fn main() -> ExitCode {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
+        Verb::Microscope(args) => cmd::microscope::microscope(args, color),
         Verb::Power(args) => cmd::power::power(args, color),
         Verb::Schema => cmd::schema::schema(),
         Verb::List(args) => cmd::list::list(args),

@@ -1,6 +1,7 @@
 //! Numbers of the command line.
 
 use freepath_harness::case::MOST_DRAWS;
+use freepath_harness::microscope::MOST_POINTS;
 
 /// Most worker threads.
 const MOST_JOBS: usize = 1024;
@@ -19,6 +20,12 @@ fn from_float(text: &str) -> Option<u64> {
     let x: f64 = text.parse().ok()?;
     let whole = x >= 1.0 && x <= MOST_DRAWS as f64 && x.fract() == 0.0;
     whole.then_some(x as u64)
+}
+
+/// Points of a net.
+pub(crate) fn points(text: &str) -> Result<u32, String> {
+    let points = text.parse().ok().filter(|n: &u32| n.is_power_of_two() && (16..=MOST_POINTS).contains(n));
+    points.ok_or_else(|| format!("must be a power of 2 from 16 to {MOST_POINTS}"))
 }
 
 /// A number of runs.
@@ -42,6 +49,14 @@ pub(crate) fn jobs(text: &str) -> Result<usize, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_are_powers_of_two() {
+        assert_eq!((points("16"), points("65536")), (Ok(16), Ok(65_536)));
+        for text in ["8", "100", "131072", "-16", "1e3", ""] {
+            assert!(points(text).is_err(), "{text}");
+        }
+    }
 
     #[test]
     fn levels_are_probabilities() {

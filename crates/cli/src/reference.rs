@@ -44,6 +44,7 @@ const IN_SCHEMA: &[(&str, &str)] = &[
     ("majorant", "MajorantChoice"),
     ("fault", "Fault"),
     ("claim", "Claim"),
+    ("agreement", "Agreement"),
 ];
 
 /// Every name, by kind.

@@ -1,5 +1,6 @@
 //! Case files: what to verify, as data.
 
+use crate::agree::Agreement;
 use crate::diagnose::{MAX_BYTES, Source};
 use crate::fault::Expectation;
 use freepath_estimators::MajorantChoice;
@@ -9,6 +10,7 @@ use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
+mod agree;
 mod check;
 mod error;
 mod faults;
@@ -69,6 +71,9 @@ pub struct Case {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(range(min = 8, max = 53))]
     pub resolution_bits: Option<u32>,
+    /// Other settings in which every subject must agree with itself; each draws as much again.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub agree: Vec<Agreement>,
 }
 
 /// A ray through a voxel grid.
@@ -153,6 +158,9 @@ pub struct Subject {
     /// Claims withdrawn.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub without: Vec<Claim>,
+    /// Instead of the case's.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub agree: Option<Vec<Agreement>>,
 }
 
 /// A claim that a case may withdraw from a subject.
@@ -167,6 +175,9 @@ pub enum Claim {
     Lookups,
     /// That draws are independent.
     Independent,
+    /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
+    /// of the draws, the audit, and what is checked without noise.
+    Truth,
 }
 
 /// The JSON schema of a case (draft 2020-12).

@@ -1,7 +1,7 @@
 //! Identities without noise: what must hold exactly, and so fails without a p-value.
 //!
-//! [`facts`] runs the cheap ones on every subject; [`medium`] and [`roulette`] also stand alone, for the tests of a medium or
-//! of a roulette.
+//! [`facts`] runs the cheap ones on every subject; [`medium`], [`reversal`], [`stretch`], [`parts`] and [`roulette`] also stand
+//! alone, for the tests of a medium or of a roulette.
 //!
 //! | check | identity |
 //! |---|---|
@@ -26,12 +26,14 @@ mod counts;
 mod density;
 mod history;
 mod medium;
+mod rays;
 mod reproducible;
 mod roulette;
 mod rows;
 mod zero_variance;
 
 pub use medium::medium;
+pub use rays::{parts, reversal, stretch};
 pub use roulette::roulette;
 
 /// The checks with what they look at.

@@ -28,9 +28,9 @@ pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
     judged.audit(plan, seen);
     judged.few(subject, seen);
     if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
-        judged.law(subject, law, cells, seen);
+        judged.law(subject, plan, law, cells, seen);
     }
-    if let (Some(mean), Some(sums)) = (&plan.mean, &seen.mean) {
+    if let (Some(mean), Some(sums), true) = (&plan.mean, &seen.mean, plan.known) {
         judged.mean(mean, sums);
     }
     if let Some(channels) = &plan.channels {
@@ -113,10 +113,15 @@ impl Judged {
         self.fact("support", outside, Reason::OutOfSupport, "draws lie outside the ray");
     }
 
-    fn law(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
+    fn law(&mut self, subject: &Subject, all: &Plan, plan: &LawPlan, cells: &CellTally, seen: &Collected) {
         self.fact("finite", cells.non_finite, Reason::NonFinite, "draws are NaN");
         self.fact("support", cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
         self.fact("unit_weight", seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
+        if !all.known {
+            self.evidence
+                .extend(plan.scores.as_ref().map(|scores| test::lag_observed(scores, &seen.counts.lag, cells)));
+            return;
+        }
         self.follows("", &plan.truth, cells, plan.reason);
         if let Some(own) = &plan.own {
             self.follows("own_", own, cells, Reason::WrongLaw);

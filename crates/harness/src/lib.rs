@@ -26,6 +26,7 @@
 //!
 //! Cases are read by [`case::CaseFile`] and run by [`run::run`]; [`power::power`] finds how many draws a fault needs to be seen.
 
+pub mod agree;
 pub mod assert;
 pub mod audit;
 pub mod case;
@@ -38,6 +39,7 @@ pub mod fault;
 pub mod identities;
 pub mod judge;
 pub mod law;
+pub mod microscope;
 pub mod noiseless;
 pub mod plan;
 pub mod power;

@@ -42,6 +42,8 @@ pub struct Plan {
     pub design: Design,
     /// For step rules: the predicted order, and the bias of its own law.
     pub order: Option<(f64, f64)>,
+    /// Whether the truth is claimed: else law and mean only say what is tallied.
+    pub known: bool,
 }
 
 impl Plan {
@@ -67,6 +69,9 @@ impl Plan {
             _ => Self::nothing(),
         };
         plan.bounded &= subject.claims(Claim::Bounded);
+        if !subject.claims(Claim::Truth) {
+            plan = plan.unknown();
+        }
         if subject.one_by_one() && plan.mean.is_some() {
             plan.poisson = None; // `estimate` tells no collisions
         }
@@ -74,6 +79,13 @@ impl Plan {
             (plan.lookups, plan.poisson) = (None, None);
         }
         plan
+    }
+
+    /// The same where nobody knows the optical depth.
+    fn unknown(self) -> Self {
+        let law = self.law.map(|law| LawPlan { own: None, pair: None, coleman: false, ..law });
+        let mean = self.mean.map(|mean| MeanPlan { own: None, moments: None, ..mean });
+        Self { law, mean, bounded: self.bounded, known: false, ..Self::nothing() }
     }
 
     /// For the column `weight`, or for each chromatic claim: whether its largest values are kept, since neither a range nor a
@@ -98,6 +110,7 @@ impl Plan {
             bounded: false,
             design: Design::Unbiased,
             order: None,
+            known: true,
         }
     }
 

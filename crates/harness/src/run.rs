@@ -13,6 +13,9 @@ use crate::subject::{BLOCK, Subject};
 use crate::verdict::Verdict;
 use std::sync::atomic::AtomicBool;
 
+use agree::Settings;
+
+mod agree;
 mod efficiency;
 mod expect;
 mod grow;
@@ -113,14 +116,14 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
         let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
-        (options.progress)(Progress::Planned(draws), &prepared.name);
+        (options.progress)(Progress::Planned(prepared.settings() * draws), &prepared.name);
     }
 }
 
 fn plan_stage_two(trial: &Trial, options: &Options) {
     let file = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
     let draws = file.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
-    (options.progress)(Progress::Planned(draws), &trial.prepared.name);
+    (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
 }
 
 /// One subject through stage 1 and, if it goes on, stage 2: as in a run, but for the decision, which is not made. With other
@@ -137,7 +140,7 @@ pub(crate) fn tried<'a>(
         subject.rows = subject.draws as usize;
     }
     let planned = Subject::blocks(subject.draws) * subject.rows as u64;
-    (options.progress)(Progress::Planned(planned), &prepared.name);
+    (options.progress)(Progress::Planned(prepared.settings() * planned), &prepared.name);
     let mut trial = stage_one(case, prepared, subject, options)?;
     if trial.goes_on() {
         plan_stage_two(&trial, options);
@@ -161,7 +164,11 @@ fn stage_one<'a>(
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
-    let (first, seconds) = first_stage(&subject, &mut plan, options, &watch, &prepared.name)?;
+    let (mut first, seconds) = first_stage(&subject, &mut plan, options, &watch, &prepared.name)?;
+    if let Some(own) = &first.collected {
+        let settings = Settings { prepared, subject: &subject, plan: &plan, seed: options.seed };
+        settings.agree(own, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
+    }
     Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
 }
 
@@ -210,6 +217,8 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
         }
     };
     let (mut judged, mut draws) = (judge(subject, plan, &collected), collected.draws);
+    let settings = Settings { prepared, subject, plan, seed: options.seed };
+    settings.agree(&collected, &(blocks..3 * blocks), &watch, &mut judged)?;
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };

@@ -39,7 +39,7 @@ pub(crate) const WORDS: &str = "A fact: driven by uniforms at the ends of [0, 1)
 positions of its stream and at the first 64, a subject gave NaN, an infinity where a finite value is due, a draw or a look-up outside the ray, or did not end.";
 
 /// Blocks of scripted draws are numbered from here, beyond those of stages and growth.
-const FIRST_BLOCK: u64 = 1 << 41;
+const FIRST_BLOCK: u64 = 1 << 44;
 
 /// Most look-ups of one method: a subject that makes more for a draw meets fewer scripts, the first positions first.
 const MOST_LOOKUPS: u64 = 1_000_000;

@@ -2,6 +2,7 @@
 
 use crate::{identities, scripted};
 
+mod agree;
 mod anderson_darling;
 mod atom;
 mod berk_jones;
@@ -26,6 +27,7 @@ mod second_moment;
 mod series;
 mod ties;
 
+pub use agree::{Sample, agree_atom, agree_law, agree_mean};
 pub use anderson_darling::anderson_darling;
 pub use atom::atom;
 pub(crate) use atom::nearest;
@@ -39,7 +41,7 @@ pub use family::{NULLS, declares, family};
 pub use kolmogorov::kolmogorov;
 pub(crate) use kolmogorov::larger;
 pub use kuiper::kuiper;
-pub use lag::{lag, lags};
+pub use lag::{lag, lag_observed, lags};
 pub use lookups::{BlockLookups, lookups};
 pub use mark::mark;
 pub(crate) use mean::within;
@@ -101,6 +103,10 @@ pub const NAMES: &[(&str, &str)] = &[
     ),
     ("second_moment", second_moment::WORDS),
     ("lookups", lookups::WORDS),
+    agree::WORDS[0],
+    agree::WORDS[1],
+    agree::WORDS[2],
+    agree::WORDS[3],
     (
         "pdf_integral",
         "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",

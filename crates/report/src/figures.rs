@@ -91,7 +91,7 @@ fn means(case: &Case, members: &[&Subject]) -> Option<Figure> {
 
 fn paid<'a>(subject: &Subject<'a>) -> Option<Cost<'a>> {
     let efficiency = subject.result.efficiency.as_ref().filter(|_| !subject.is_control())?;
-    let lookups = subject.result.lookups.0;
+    let lookups = crate::page::words::lookups(subject.result)?;
     Some(Cost { name: subject.name.clone(), efficiency, lookups, seconds: subject.seconds })
 }
 

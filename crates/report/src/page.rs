@@ -7,7 +7,7 @@ mod matrix;
 mod subject;
 mod summary;
 mod table;
-mod words;
+pub(crate) mod words;
 
 use crate::digest::{base64, sha256};
 use crate::draw::FONT;

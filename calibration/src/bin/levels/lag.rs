@@ -17,7 +17,7 @@ use rand::Rng;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (draws, deep) in [(1001, false), (16_384, false), (1001, true), (16_384, true)] {
+    for (draws, deep) in [(1001, false), (4096, false), (16_384, false), (1001, true), (16_384, true)] {
         let root = ((draws - 1) as f64).sqrt();
         let skewness = |depth: f64| {
             let s = Scores::new(&law(depth)).skewness();
@@ -87,7 +87,7 @@ impl Chain {
             let (mut cells, mut index, mut tally) = (CellTally::new(&law), Vec::new(), LagTally::default());
             cells.observe(&law, &t, &mut index);
             tally.observe(&scores, &index);
-            if !lags(&scores, &tally, &cells).p.is_some_and(|p| !(p > level)) {
+            if lags(&scores, &tally, &cells).p.is_none_or(|p| p > level) {
                 return 0.0;
             }
             let scale = reach / unit / (4096.0 * 4096.0);

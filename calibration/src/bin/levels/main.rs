@@ -29,7 +29,7 @@ pub(crate) const LEVELS: [f64; 3] = [1e-3, 1e-5, 1e-7];
 #[derive(Parser)]
 struct Args {
     /// Replicates for each figure.
-    #[arg(long, default_value_t = 40_000)]
+    #[arg(long, default_value_t = 16_384)]
     replicates: u64,
     /// The seed of all replicates.
     #[arg(long, default_value_t = 1)]

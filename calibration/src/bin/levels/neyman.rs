@@ -35,7 +35,7 @@ fn tail(collisions: u64, level: f64, effort: Effort) -> Tail {
         let norm = libm::log(shares.iter().sum());
         let tally = CellTally { cells: counts(collisions, &shares, rng), ..CellTally::default() };
         let evidence = neyman(&law, &tally, Reason::WrongLaw);
-        if !evidence.p.is_some_and(|p| !(p > level)) {
+        if evidence.p.is_none_or(|p| p > level) {
             return 0.0;
         }
         let weighted = |f: &dyn Fn(usize) -> f64| -> f64 {

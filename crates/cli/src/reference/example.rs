@@ -17,6 +17,7 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
     match kind {
         "free_path" | "transmittance" | "chromatic" => spaced(&json!({ kind: used })),
         "claim" => format!("\"without\": [\"{name}\"]"),
+        "agreement" => format!("\"agree\": [\"{name}\"]"),
         _ => format!("\"{kind}\": {}", spaced(&used)),
     }
 }

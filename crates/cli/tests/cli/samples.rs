@@ -1,6 +1,7 @@
 //! `freepath check`: what it takes, says and refuses.
 
 use crate::support::{folder, freepath, put, run, told};
+use freepath_estimators::random::{Key, exponential};
 use freepath_harness::results::Results;
 use std::fs;
 use std::io::Write;
@@ -13,16 +14,11 @@ const CASE: &str = r#"{
   "subjects": [ { "free_path": { "exact": {} } } ]
 }"#;
 
-/// Quantiles of the free-path law in an order that looks random: the golden ratio, taken over and over.
+/// Free paths in a slab of this extinction, drawn by inversion.
 fn paths(n: u64, mu: f64) -> Vec<f64> {
-    let mut state = 1u64;
-    let mut uniform = || {
-        // Knuth's multiplier, the high bits alone
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / 9_007_199_254_740_992.0
-    };
+    let mut rng = Key { seed: 1, subject: 4, block: 0 }.rng();
     let mut path = || {
-        let t = -f64::ln_1p(-uniform()) / mu;
+        let t = exponential(&mut rng) / mu;
         if t < 2.0 { t } else { f64::INFINITY }
     };
     (0..n).map(|_| path()).collect()

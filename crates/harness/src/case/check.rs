@@ -1,6 +1,6 @@
 //! What can be refused before a medium is built: kinds, names, faults, efforts.
 
-use super::{BiasBound, CaseError, CaseFile, MOST_DRAWS, Subject};
+use super::{BiasBound, CaseError, CaseFile, Claim, MOST_DRAWS, Subject};
 use std::collections::HashSet;
 
 impl CaseFile {
@@ -66,6 +66,10 @@ impl CaseFile {
         self.check_numbers("", case.draws, case.budget, case.bias_bound, case.tolerance, case.resolution_bits)?;
         for (i, s) in case.subjects.iter().enumerate() {
             let at = format!("subjects[{i}].");
+            if s.without.contains(&Claim::Truth) && s.bias_bound.or(case.bias_bound).is_some() {
+                let why = "a bias bound needs the truth, which is withdrawn (do without one of them)";
+                return Err(self.refuse(&format!("{at}without"), why));
+            }
             self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
             if s.chromatic.is_some() && s.bias_bound.or(case.bias_bound).is_some() {
                 let at = if s.bias_bound.is_some() { format!("{at}bias_bound") } else { "bias_bound".into() };

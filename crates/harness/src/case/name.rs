@@ -54,11 +54,14 @@ impl Subject {
     }
 }
 
-/// The leaves of a subject's JSON, in order.
+/// The leaves of a subject's JSON, in order; files without their folder.
 fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
     match json {
         Value::Array(items) => items.iter().for_each(|item| collect_words(item, inside, words)),
-        Value::Object(fields) => fields.iter().for_each(|(_, field)| collect_words(field, true, words)),
+        Value::Object(fields) => fields.iter().for_each(|(key, field)| match (key.as_str(), field) {
+            ("file", Value::String(file)) => words.push(file.rsplit(['/', '\\']).next().unwrap_or(file).into()),
+            _ => collect_words(field, true, words),
+        }),
         Value::String(word) if inside && word != "restart" => words.push(word.clone()),
         Value::Number(number) if inside => words.push(number.to_string()),
         _ => {}

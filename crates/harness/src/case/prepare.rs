@@ -3,6 +3,7 @@
 use super::name::hash;
 use super::surroundings::{Place, Volumes};
 use super::{Case, CaseError, CaseFile, MOST_DRAWS, Subject};
+use crate::agree::Variant;
 use crate::fault::Fault;
 use crate::source::samples::SampleFile;
 use crate::subject::{DRAWS, Scene};
@@ -51,6 +52,8 @@ pub struct PreparedSubject {
     pub key: u64,
     /// Draws of stage 1.
     pub draws: u64,
+    /// The other settings in which it must agree with itself.
+    pub variants: Vec<Variant>,
     /// The file, if it is one of samples.
     pub source: Option<SampleFile>,
 }
@@ -66,6 +69,11 @@ impl PreparedSubject {
     #[must_use]
     pub fn estimator(&self) -> &'static str {
         self.spec.kind().1
+    }
+
+    /// In how many settings it is drawn.
+    pub(crate) fn settings(&self) -> u64 {
+        1 + self.variants.len() as u64
     }
 
     /// What is run.
@@ -175,13 +183,15 @@ impl CaseFile {
             }
         };
         self.check_fit(&at, (spec, work), world, seen.as_deref())?;
+        let variants = self.variants(i, work, truth.as_ref(), &faults)?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
         let draws = match &source {
             Some(source) => source.first_rows(),
             None => self.effort(spec, limits)?,
         };
         let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        Ok(PreparedSubject { spec: spec.clone(), name, truth, seen, faults, key: hash(&canonical), draws, source })
+        let (spec, key) = (spec.clone(), hash(&canonical));
+        Ok(PreparedSubject { spec, name, truth, seen, faults, key, draws, source, variants })
     }
 
     /// Draws of stage 1.

@@ -17,7 +17,7 @@ const PARTS: usize = 24;
 const MOST_BREAKS: usize = 64;
 
 /// Relative error of tau, of mu and of their inverses.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// The first identity that `medium` violates.
 ///

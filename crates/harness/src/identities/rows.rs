@@ -5,7 +5,7 @@ use crate::subject::Subject;
 use freepath_estimators::{Draws, Key, Streams};
 
 /// Blocks of identities are numbered from here, beyond those of scripts.
-const FIRST_BLOCK: u64 = 1 << 42;
+const FIRST_BLOCK: u64 = 1 << 45;
 
 /// Look-ups and random words for each draw at most: a dearer subject is not asked.
 const BUDGET: u64 = 20_000;

@@ -7,7 +7,7 @@ use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
 use crate::law::Law;
-use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan, Plan};
+use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::real::Real;
 use crate::results::{
     Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
@@ -29,10 +29,8 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, plan, .. } = trial;
-    let seen = trial.first.collected.as_ref();
     let (expected, by_design, as_expected) = expectation(trial, &decision);
-    let grown = grown(trial, first, second);
-    let (mean, cells) = collected(plan, seen);
+    let (seen, grown) = (trial.first.collected.as_ref(), grown(trial, first, second));
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -56,12 +54,12 @@ pub(super) fn result(
         draws: seen.map_or(0, |seen| seen.draws),
         draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
-        mean: mean.as_ref().map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
-        law: cells.map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
+        mean: means(trial).map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
+        law: cells(trial).map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),
         channels: plan.channels.iter().flat_map(|plan| channels(&plan.claims, seen)).collect(),
         tests: stages(first, second).flat_map(tests).collect(),
         facts: stages(first, second).flat_map(facts).collect(),
-        series: all_series(trial, mean.is_some(), cells),
+        series: all_series(trial),
         lookups: Real(seen.map_or(0.0, lookups_per_draw)),
         lookups_expected: plan.lookups.map(Real),
         audit: seen.map(audit).unwrap_or_default(),
@@ -70,14 +68,18 @@ pub(super) fn result(
     }
 }
 
-/// What was collected of the mean and of the law, each with its claim.
-#[expect(clippy::type_complexity, reason = "two pairs, taken apart at once")]
-fn collected<'a>(
-    plan: &'a Plan,
-    seen: Option<&'a Collected>,
-) -> (Option<(&'a MeanPlan, PowerSums)>, Option<(&'a LawPlan, &'a CellTally)>) {
-    let mean = plan.mean.as_ref().zip(seen.and_then(|seen| seen.mean));
-    (mean, plan.law.as_ref().zip(seen.and_then(|seen| seen.counts.cells.as_ref())))
+/// What was claimed of a mean, and what was summed up; nothing where nobody knows the truth.
+fn means<'a>(trial: &'a Trial) -> Option<(&'a MeanPlan, &'a PowerSums)> {
+    trial.plan.mean.as_ref().zip(known(trial)?.mean.as_ref())
+}
+
+/// What was claimed of a law, and what was counted; nothing where nobody knows the truth.
+fn cells<'a>(trial: &'a Trial) -> Option<(&'a LawPlan, &'a CellTally)> {
+    trial.plan.law.as_ref().zip(known(trial)?.counts.cells.as_ref())
+}
+
+fn known<'a>(trial: &'a Trial) -> Option<&'a Collected> {
+    trial.first.collected.as_ref().filter(|_| trial.plan.known)
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
@@ -97,8 +99,9 @@ fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item
 }
 
 /// What the plots of a subject draw.
-fn all_series(trial: &Trial, mean: bool, cells: Option<(&LawPlan, &CellTally)>) -> Series {
-    let seen = trial.first.collected.as_ref().filter(|_| mean);
+fn all_series(trial: &Trial) -> Series {
+    let cells = cells(trial);
+    let seen = trial.first.collected.as_ref().filter(|_| means(trial).is_some());
     Series {
         cdf: cells.map(|(plan, cells)| series::cdf(plan, cells)),
         histogram: cells.map(|(plan, cells)| series::histogram(plan, cells)),

@@ -9,8 +9,9 @@ use crate::tally::PowerSums;
 /// ```
 ///
 /// and the same mirrored; c is the expected mean, known before the draws. Each bet's mean is at most 1 if the mean of x is
-/// at most m (Fan, Grama and Liu 2015, inequality (4.1)), for any law in the range and any variance. The lambdas are the best
-/// ones for the numbers of draws that the run may look at (a discrete mixture: Howard et al. 2021, section 3.5;
+/// at most m (Fan, Grama and Liu 2015: exp(x y - psi(x) y^2) <= 1 + x y
+/// for y >= -1 and 0 <= x < 1), for any law in the range and any variance. The lambdas are the best
+/// ones for the numbers of draws that the run may look at (a discrete mixture: Howard et al. 2021;
 /// Waudby-Smith and Ramdas 2024 take predictable ones instead).
 ///
 /// Width: 1.1 times that of a normal interval at a = 1e-6 over seven doublings. Cost: none for each draw beyond [`PowerSums`].
@@ -86,6 +87,16 @@ mod tests {
     fn sums(n: usize, share: usize, value: f64, center: f64) -> PowerSums {
         let draws: Vec<f64> = (0..n).map(|i| if i % share == 0 { value } else { 0.0 }).collect();
         PowerSums::of(center, &draws)
+    }
+
+    #[test]
+    fn a_bet_on_any_draw_gains_no_more_than_its_stake() {
+        for x in (0..1000).map(|i| f64::from(i) / 1000.0) {
+            for y in (0..600).map(|i| f64::from(i) / 100.0 - 1.0) {
+                let psi = -libm::log1p(-x) - x;
+                assert!(libm::exp(x * y - psi * y * y) <= (1.0 + x * y) * (1.0 + 1e-14), "{x} {y}");
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 use super::mixture::bisect;
 use crate::special::ln_beta_binomial_ratio;
 
-/// The beta-binomial sequence of draws that are 0 or 1 (Robbins 1970; Howard et al. 2021, proposition 7).
+/// The beta-binomial sequence of draws that are 0 or 1 (Robbins 1970; Howard et al. 2021).
 ///
 /// ```text
 /// e(p) = B(a + k, b + n - k) / (B(a, b) p^k (1 - p)^(n - k))

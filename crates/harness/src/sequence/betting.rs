@@ -1,7 +1,6 @@
 use freepath_estimators::simd;
 
-/// Bets on whether a bias stays below a bound: four e-values of draws of known range (Waudby-Smith and Ramdas 2024,
-/// section 4; Shafer 2021).
+/// Bets on whether a bias stays below a bound: four e-values of draws of known range (Waudby-Smith and Ramdas 2024).
 ///
 /// ```text
 /// K = prod_i (1 + lambda (x_i - m)),   m = T - d and lambda > 0: against a mean of T - d or less
@@ -30,13 +29,17 @@ pub struct Capitals {
 
 impl Bets {
     /// Bets about the mean `expected`, known up to `slack`, of draws in `range`, on an error of `bound`; best if their variance
-    /// is as given, else tuned to the largest that range and mean allow.
+    /// is as given, else tuned to the largest that range and mean allow. Nothing is staked on a bound that is not positive.
     #[must_use]
     pub fn new(expected: f64, slack: f64, range: (f64, f64), variance: Option<f64>, bound: f64) -> Self {
         let (below, above) = (expected - range.0, range.1 - expected);
         let variance = variance.filter(|v| *v >= 0.0).unwrap_or(below * above);
         let (kelly, most) = (bound / (variance + bound * bound), 0.5 / (range.1 - range.0 + bound + slack));
-        let lambda = if kelly < most { kelly } else { most };
+        let lambda = match () {
+            () if !(bound > 0.0) => 0.0,
+            () if kelly < most => kelly,
+            () => most,
+        };
         Self {
             against: [expected - bound, expected + bound, expected + slack, expected - slack],
             lambda: [lambda, -lambda, lambda, -lambda],
@@ -141,6 +144,14 @@ mod tests {
         parts.merge(&capitals(&all[4096..], 0.01));
         let whole = capitals(&all, 0.01);
         assert!(parts.ln.iter().zip(whole.ln).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+
+    #[test]
+    fn nothing_is_proven_of_a_bound_that_is_not_positive() {
+        for bound in [0.0, -0.1, f64::NAN] {
+            let seen = capitals(&draws(100_000, 50), bound);
+            assert!(!seen.prove(0.99) && seen.ln_e_value().abs() < 1e-12, "{bound}");
+        }
     }
 
     #[test]

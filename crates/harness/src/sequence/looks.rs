@@ -27,7 +27,7 @@ impl Looks {
     /// Notes a p-value of this look, that of a fixed number of draws divided by the look's share; the least so far. A NaN
     /// stays.
     pub fn note(&mut self, p: f64) -> f64 {
-        if !(p >= self.least_p) {
+        if !(p >= self.least_p) && !self.least_p.is_nan() {
             self.least_p = p;
         }
         self.least_p

@@ -6,7 +6,8 @@ use crate::fault::Expectation;
 use crate::judge::{Judged, judge};
 use crate::plan::Plan;
 use crate::run::{Cancelled, id};
-use crate::subject::{BLOCK, Subject};
+use crate::subject::Subject;
+use crate::verdict::Reason;
 use std::ops::Range;
 
 /// A right subject with its plan, made once for all runs.
@@ -44,7 +45,7 @@ impl Trial<'_> {
 
     /// Draws of stage 1.
     pub(super) fn draws(&self) -> u64 {
-        self.blocks() * BLOCK as u64
+        self.blocks() * self.subject.rows as u64
     }
 
     /// The evidence of some blocks, of the claims that hold: a subject that is biased by design is held to its own law or mean
@@ -55,9 +56,10 @@ impl Trial<'_> {
             Err(Stopped::Cancelled) => return Err(Cancelled),
             Err(Stopped::Subject(why)) => Judged::broken(why),
         };
-        let own = |name: &str| format!("own_{name}");
-        let owned: Vec<String> = judged.evidence.iter().map(|e| e.name.clone()).collect();
-        judged.evidence.retain(|e| !owned.contains(&own(&e.name)));
+        let law = self.plan.law.as_ref().is_some_and(|law| law.own.is_some());
+        if law || self.plan.mean.as_ref().is_some_and(|mean| mean.own.is_some()) {
+            judged.evidence.retain(|evidence| evidence.reason != Reason::Biased);
+        }
         Ok(judged)
     }
 }

@@ -87,6 +87,20 @@ impl Scores {
         sum as f64 / tally.draws() as f64
     }
 
+    /// Variance and skewness of the scores of the draws in `tally`.
+    #[must_use]
+    pub fn spread_of(&self, tally: &CellTally) -> (f64, f64) {
+        let (n, mean) = (tally.draws() as f64, self.mean_of(tally));
+        let scored = [&tally.escapes].into_iter().chain(&tally.cells).zip(&self.table[1..]);
+        let (mut second, mut third) = (0.0, 0.0);
+        for (&count, &score) in scored.filter(|(count, _)| **count > 0) {
+            let off = f64::from(score) - mean;
+            second += count as f64 / n * off * off;
+            third += count as f64 / n * off * off * off;
+        }
+        (second, third / (second * second.sqrt()))
+    }
+
     #[inline(always)]
     fn of(&self, cell: u32) -> i16 {
         const _: () =

@@ -1,5 +1,5 @@
 use super::larger;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::{berk_jones_sf, likelihood_ratio};
 use crate::tally::{CellTally, Extremes};
@@ -84,7 +84,7 @@ pub fn berk_jones(
     between(&mut statistic, law, cells, open);
     let value = statistic.value();
     let p = if value.is_nan() { f64::NAN } else { berk_jones_sf(m, value) };
-    Evidence::new("berk_jones", value, None, p, reason)
+    Evidence::new("berk_jones", value, None, p, reason).under(Null::Conservative)
 }
 
 /// The order statistics from one end: just after and just before each.

@@ -12,6 +12,7 @@ pub const NULLS: &[(&str, &[&str])] = &[
     ("anderson_darling", &["uniform"]),
     ("cramer_von_mises", &["uniform"]),
     ("kuiper", &["uniform"]),
+    ("berk_jones", &["conservative"]),
     ("exposure", &["uniform"]),
     ("neyman_16", &["uniform"]),
     ("coleman", &["uniform"]),
@@ -27,8 +28,15 @@ pub const NULLS: &[(&str, &[&str])] = &[
     ("growth", &["conservative"]),
     ("second_moment", &["uniform", "conservative"]),
     ("lookups", &["uniform", "conservative"]),
+    ("agree_majorant", AGREE),
+    ("agree_segments", AGREE),
+    ("agree_grid", AGREE),
+    ("agree_reversed", AGREE),
     ("pdf_integral", &["conservative"]),
 ];
+
+/// Of means that skewness allows; exact, of laws and bounded.
+const AGREE: &[&str] = &["uniform", "conservative"];
 
 /// The name in [`NAMES`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
 /// `mean`.

@@ -22,11 +22,21 @@ standardised lag products is chi-square. One p-value for all, since a repeat of 
 /// are so skew that no tail is known: withheld.
 #[must_use]
 pub fn lag(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
+    under(scores, tally, cells, (scores.variance(), scores.skewness()))
+}
+
+/// The same where the law is not known: with the variance and the skewness that the draws themselves have.
+#[must_use]
+pub fn lag_observed(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
+    under(scores, tally, cells, scores.spread_of(cells))
+}
+
+fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew): (f64, f64)) -> Evidence {
     let withheld = |z: f64, why: &str| Evidence::withheld("lag_1", z, Reason::Dependent, why);
     if tally.pairs[0] < 1000 {
         return withheld(f64::NAN, "fewer than 1000 pairs of draws");
     }
-    let (z, skewness) = product(scores, tally, cells, 1);
+    let (z, skewness) = product((variance, skew), tally, scores.mean_of(cells), 1);
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
     }
@@ -48,7 +58,8 @@ pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     if tally.pairs[LAGS - 1] < 1000 {
         return withheld("fewer than 1000 pairs of draws");
     }
-    let all: Vec<_> = (2..=LAGS).map(|h| (h, product(scores, tally, cells, h))).collect();
+    let (spread, mean) = ((scores.variance(), scores.skewness()), scores.mean_of(cells));
+    let all: Vec<_> = (2..=LAGS).map(|h| (h, product(spread, tally, mean, h))).collect();
     if !all.iter().all(|(_, (_, skewness))| gate(*skewness, 1.0).0) {
         return withheld("most draws escape: too few pairs of collisions");
     }
@@ -64,12 +75,11 @@ pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
         .noted(format!("most at lag {h}: z = {z:.2}"))
 }
 
-/// The standardised sum of products at a lag, and its skewness.
-fn product(scores: &Scores, tally: &LagTally, cells: &CellTally, lag: usize) -> (f64, f64) {
-    let (pairs, mean) = (tally.pairs[lag - 1] as f64, scores.mean_of(cells));
-    let skewness = scores.skewness() * scores.skewness() / pairs.sqrt();
+/// The standardised sum of products at a lag, and its skewness, for scores of such a variance and skewness.
+fn product((variance, skew): (f64, f64), tally: &LagTally, mean: f64, lag: usize) -> (f64, f64) {
+    let pairs = tally.pairs[lag - 1] as f64;
     let excess = tally.products[lag - 1] as f64 - pairs * mean * mean;
-    (standardised(excess, scores.variance() * pairs.sqrt()), skewness)
+    (standardised(excess, variance * pairs.sqrt()), skew * skew / pairs.sqrt())
 }
 
 #[cfg(test)]

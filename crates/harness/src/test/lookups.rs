@@ -41,6 +41,8 @@ impl BlockLookups {
 
 /// Fewest blocks for Student's t.
 const FEWEST_BLOCKS: u64 = 20;
+/// Least variance of the sum of all draws, in units of the square of what a rare draw changes: 1 / 0.03^2.
+const LEAST_VARIANCE: f64 = 1111.0;
 
 /// The cost law: `expected` look-ups per draw, known up to `slack`, over blocks of `rows` draws.
 ///
@@ -50,7 +52,8 @@ const FEWEST_BLOCKS: u64 = 20;
 /// p = exp(-|total - n expected| / c),   c = 1 + the cost of a draw, the most that a rare draw is taken to change
 /// ```
 ///
-/// Student's t is withheld where what varies may be a few such rare draws: variance of all n draws < 400 c^2.
+/// Student's t is withheld where what varies may be a few such rare draws, variance of all n draws < 1111 c^2: the skewness of their
+/// sum may then be above 0.03, where p-values of 1e-7 come three times too often.
 #[must_use]
 pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> Evidence {
     let (blocks, want) = (seen.blocks as f64, expected * rows as f64);
@@ -63,7 +66,7 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> E
         return evidence(excess, None, libm::exp(-blocks * excess.abs() / largest)).under(Null::Conservative);
     }
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
-    if seen.blocks < FEWEST_BLOCKS || !(blocks * variance >= 400.0 * largest * largest) {
+    if seen.blocks < FEWEST_BLOCKS || !(blocks * variance >= LEAST_VARIANCE * largest * largest) {
         let why = "fewer than 20 blocks, or too few draws whose cost differs";
         return Evidence::withheld("lookups", excess, Reason::WrongCost, why);
     }

@@ -1,6 +1,6 @@
 //! The table of all subjects.
 
-use super::words::class;
+use super::words::{class, lookups};
 use crate::number::short;
 use crate::site::{Site, Subject};
 use crate::text::{clean, words};
@@ -59,7 +59,7 @@ impl Row {
                 Cell::new(gap, f64::abs),
                 Cell::new(bound, same),
                 Cell::new(detectable, same),
-                Cell::new(Some(result.lookups.0), same),
+                Cell::new(lookups(result), same),
             ],
         }
     }

@@ -41,7 +41,7 @@ pub(super) struct Look {
 impl Question {
     /// The bound that the case asks for; none if it asks for none, or for one of weights in channels.
     pub(super) fn of(subject: &Subject, plan: &Plan) -> Option<Self> {
-        let (bound, looks) = (subject.bias_bound?, Looks::default());
+        let (bound, looks) = (subject.bias_bound.filter(|_| plan.known)?, Looks::default());
         if let Some(MeanPlan { truth, .. }) = &plan.mean {
             let bernstein = |range| {
                 EmpiricalBernstein::new(truth.expected, range, truth.variance, subject.draws, subject.budget)

@@ -1,0 +1,71 @@
+//! `freepath microscope`: how small the bias must be, by scrambled Sobol points.
+
+use crate::args::{Microscope, When};
+use crate::screen::{self, cell};
+use crate::trouble::Trouble;
+use crate::{cases, filter};
+use freepath_harness::case::{Limits, Prepared, PreparedSubject};
+use freepath_harness::microscope::{Focus, LEVEL, Sight, look};
+use freepath_harness::run::id;
+use std::io::{IsTerminal, stderr};
+use std::path::Path;
+
+/// Prints what is seen of each subject.
+pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> {
+    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
+    let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
+    let found = cases::find(&args.paths, Path::new(""))?;
+    let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
+    let cases = match &args.filter {
+        Some(text) => filter::keep(cases, text)?,
+        None => cases,
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
+    let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
+    let focus = Focus { points: args.points, scrambles: args.scrambles, seed: args.seed };
+    for case in &cases {
+        for prepared in &case.subjects {
+            let seen = pool.install(|| look(&prepared.runnable(&case.world, &case.case), focus));
+            screen::print(&words(case, prepared, seen))?;
+        }
+    }
+    let Focus { points, scrambles, seed } = focus;
+    screen::print(&format!(
+        "{scrambles} scrambles of {points} points, seed {seed}; an interval misses the bias with a probability of {LEVEL}. Advisory: \
+         `freepath run` judges.\n"
+    ))?;
+    Ok(0)
+}
+
+fn words(case: &Prepared, prepared: &PreparedSubject, seen: Result<Sight, String>) -> String {
+    let name = cell(&id(case, prepared), 200);
+    match seen {
+        Err(why) => format!("{name}\n  not seen: {}\n\n", cell(&why, 300)),
+        Ok(sight) => format!("{name}\n{}\n", lines(&sight)),
+    }
+}
+
+fn lines(sight: &Sight) -> String {
+    let bias = match &sight.bias {
+        Ok((low, high)) => format!("{low:+.3e} to {high:+.3e}{}", against(sight, *low, *high)),
+        Err(why) => format!("no interval: {why}"),
+    };
+    let gain = if sight.gain == f64::INFINITY { "no variance".into() } else { format!("{:.3}", sight.gain) };
+    format!(
+        "  estimate        {:.9e}\n  truth           {:.9e}\n  bias            {bias}\n  variance ratio  {gain} (random draws over points)\n",
+        sight.estimate, sight.expected
+    )
+}
+
+/// How the interval stands to no bias, or to the one that the method declares.
+fn against(sight: &Sight, low: f64, high: f64) -> String {
+    let holds = |bias: f64| low <= bias && bias <= high;
+    match () {
+        () if sight.declared != 0.0 && holds(sight.declared) => {
+            format!(", as the method declares: {:+.3e}", sight.declared)
+        }
+        () if sight.declared != 0.0 => format!(", where the method declares {:+.3e}", sight.declared),
+        () if holds(0.0) => String::new(),
+        () => ", not 0".into(),
+    }
+}

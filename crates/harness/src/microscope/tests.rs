@@ -1,0 +1,71 @@
+use super::*;
+use freepath_estimators::TransmittanceEstimator;
+use freepath_estimators::medium::Gaussian;
+use freepath_estimators::transmittance::{AnyTransmittance, RatioTracking};
+use freepath_estimators::{Extinction, Majorants, Under};
+use rand::Rng;
+
+fn bump(peak: f64) -> Under<Gaussian> {
+    let medium = Gaussian::new(peak, 0.9, 0.25, 2.0, 0.0).expect("a medium");
+    let majorants = Majorants::tight(&medium, 1).map_bounds(|mu_bar| 1.5 * mu_bar);
+    Under::new(medium, majorants)
+}
+
+fn seen(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium, points: u32) -> Sight {
+    let subject = Subject::new(Work::Transmittance(estimator), Scene::Grey { truth: medium, seen: medium });
+    look(&subject, Focus { points, scrambles: 16, seed: 1 }).expect("it can be seen")
+}
+
+/// Ratio tracking whose weights are off by a share.
+struct Off(f64);
+
+impl TransmittanceEstimator for Off {
+    fn estimate(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> f64 {
+        RatioTracking {}.estimate(medium, rng) * (1.0 + self.0)
+    }
+}
+
+fn holds(limits: &Result<(f64, f64), String>, bias: f64) -> bool {
+    limits.as_ref().is_ok_and(|&(low, high)| low <= bias && bias <= high)
+}
+
+#[test]
+fn ratio_tracking_over_a_bump_is_seen_with_far_less_variance() {
+    let sight = seen(&RatioTracking {}, &bump(2.0), 4096);
+    assert!(sight.gain > 20.0, "{sight:?}"); // some 700 at 65,536 points
+    assert!(holds(&sight.bias, 0.0), "{sight:?}");
+}
+
+#[test]
+fn a_bias_below_the_noise_of_as_many_draws_is_seen() {
+    let medium = bump(2.0);
+    let sight = seen(&Off(0.01), &medium, 4096);
+    assert!(!holds(&sight.bias, 0.0) && holds(&sight.bias, 0.01 * sight.expected), "{sight:?}");
+}
+
+#[test]
+fn the_interval_covers_as_often_as_it_says() {
+    let medium = bump(1.0);
+    let subject =
+        Subject::new(Work::Transmittance(&RatioTracking {}), Scene::Grey { truth: &medium, seen: &medium });
+    let covers = |seed| {
+        let sight = look(&subject, Focus { points: 512, scrambles: 4, seed }).expect("it can be seen");
+        assert!(sight.bias.is_ok(), "{sight:?}");
+        holds(&sight.bias, 0.0)
+    };
+    let missed = (0..150).filter(|&seed| !covers(seed)).count();
+    assert!(missed <= 4, "{missed} of 150 intervals miss the truth"); // P(5 or more) = 5e-7
+}
+
+#[test]
+fn what_was_never_met_gives_no_interval() {
+    let delta: AnyTransmittance = serde_json::from_str(r#"{ "delta_tracking": {} }"#).expect("an estimator");
+    let sight = seen(&*delta, &bump(60.0), 256);
+    assert!(sight.bias.is_err_and(|why| why.contains("may not have been met")));
+    let nan = |_: &dyn Extinction, rng: &mut dyn Rng| if rng.next_u64() < 1 << 55 { f64::NAN } else { 0.5 };
+    let medium = bump(1.0);
+    let subject = Subject::new(Work::FreePath(&nan), Scene::Grey { truth: &medium, seen: &medium });
+    let sight = look(&subject, Focus { points: 1024, scrambles: 2, seed: 1 }).expect("it can be seen");
+    assert!(sight.bias.is_err_and(|why| why.contains("NaN")));
+    assert!(look(&subject, Focus { points: 100, scrambles: 2, seed: 1 }).is_err());
+}

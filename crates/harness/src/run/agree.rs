@@ -1,0 +1,48 @@
+use super::Cancelled;
+use crate::agree::agree;
+use crate::case::PreparedSubject;
+use crate::collect::{Collected, Stopped, Watch};
+use crate::evidence::Fact;
+use crate::judge::Judged;
+use crate::plan::Plan;
+use crate::subject::Subject;
+use crate::verdict::Reason;
+use std::ops::Range;
+
+/// One stage of a subject, for its agreements.
+pub(super) struct Settings<'a> {
+    pub(super) prepared: &'a PreparedSubject,
+    pub(super) subject: &'a Subject<'a>,
+    pub(super) plan: &'a Plan,
+    pub(super) seed: u64,
+}
+
+impl Settings<'_> {
+    /// Draws the subject in each of its other settings and compares it with `own`.
+    pub(super) fn agree(
+        &self,
+        own: &Collected,
+        blocks: &Range<u64>,
+        watch: &Watch,
+        judged: &mut Judged,
+    ) -> Result<(), Cancelled> {
+        for variant in &self.prepared.variants {
+            match agree(self.subject, self.plan, variant, own, self.seed, blocks.clone(), watch) {
+                Ok((evidence, facts)) => {
+                    if evidence.p.is_none() {
+                        let why = format!("{}: {}", evidence.name, evidence.note);
+                        judged.gates.push((Reason::HeavyTail, why));
+                    }
+                    judged.evidence.push(evidence);
+                    judged.facts.extend(facts);
+                }
+                Err(Stopped::Cancelled) => return Err(Cancelled),
+                Err(Stopped::Subject(why)) => {
+                    let why = format!("in the setting of {}: {why}", variant.agreement.test());
+                    judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,228 @@
+//! Two samples of one subject in two settings: no truth is needed.
+
+use super::chi_square::lessened;
+use super::mean::{corrected_p, gate};
+use crate::evidence::{Evidence, Null};
+use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
+use crate::tally::{CellTally, PowerSums};
+use crate::verdict::Reason;
+
+pub(super) const WORDS: [(&str, &str); 4] = [
+    (
+        "agree_majorant",
+        "Two samples, no truth: the subject under its majorant and under twice as much. The means by Welch's statistic under the gates \
+of skewness, exact for 0/1; a law by its escapes (exact) and by chi-square over cells.",
+    ),
+    (
+        "agree_segments",
+        "As agree_majorant: under one bound for the whole ray and under a bound for each of 8 segments.",
+    ),
+    ("agree_grid", "As agree_majorant: in a homogeneous medium and in a grid of equal nodes."),
+    ("agree_reversed", "As agree_majorant: along the ray and back; of a law, the escapes alone."),
+];
+
+/// What is known of the draws of both samples.
+pub struct Sample {
+    /// Least and greatest value of a draw, if claimed.
+    pub range: Option<(f64, f64)>,
+    /// Every draw is 0 or 1.
+    pub binary: bool,
+    /// How far the two means may be apart.
+    pub slack: f64,
+}
+
+/// Draws that both samples together must have in a cell: 50 each, and room for chance.
+const LEAST_POOLED: u64 = 128;
+
+/// Cells of collided draws at the most.
+const MOST_CELLS: u64 = 64;
+
+/// The two samples escape equally often, given all escapes (Fisher 1935).
+#[must_use]
+pub fn agree_atom(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reason) -> Evidence {
+    let shares = [a, b].map(|tally| tally.escapes as f64 / tally.draws() as f64);
+    let p = counts_p([a.escapes, b.escapes], [a.draws(), b.draws()], slack);
+    Evidence::new(name, shares[0] - shares[1], None, p, reason)
+        .under(Null::Conservative)
+        .noted(format!("{:.6} of the draws escape, and {:.6} in the other setting", shares[0], shares[1]))
+}
+
+/// The two samples escape equally often, and their collided draws fall alike into cells.
+///
+/// ```text
+/// X^2 = sum_i (a_i / a - b_i / b)^2 a b / (a_i + b_i),   p = min(1, 2 min(p_escape, p_cells))
+/// ```
+///
+/// Cells are taken together until both samples have 128 in each, by what both have in common: given that, X^2 has one degree of freedom
+/// less than there are cells.
+#[must_use]
+pub fn agree_law(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reason) -> Evidence {
+    let atom = agree_atom(name, [a, b], slack, reason);
+    let groups = pooled(a, b);
+    let [of_a, of_b] = [a, b].map(|tally| tally.collided() as f64);
+    if groups.len() < 2 {
+        return atom;
+    }
+    let term = |&(i, j): &(u64, u64)| {
+        let wide = 4.0 * slack * (a.draws() as f64 / of_a);
+        let apart = lessened(i as f64 / of_a - j as f64 / of_b, wide);
+        apart * apart * of_a * of_b / (i + j) as f64
+    };
+    let (statistic, dof) = (groups.iter().map(term).sum::<f64>(), groups.len() as f64 - 1.0);
+    let (of_cells, of_atom) = (chi_square_sf(dof, statistic), atom.p.unwrap_or(0.0));
+    let least = if of_cells < of_atom || of_cells.is_nan() { of_cells } else { of_atom };
+    let p = if 2.0 * least > 1.0 { 1.0 } else { 2.0 * least };
+    let note = format!("{}; p {of_atom:.2e} by escapes, {of_cells:.2e} by cells", atom.note);
+    Evidence::new(name, statistic, Some(dof), p, reason).under(Null::Conservative).noted(note)
+}
+
+/// Neighbouring fine cells taken together until both samples have enough between them; a rest joins the last.
+fn pooled(a: &CellTally, b: &CellTally) -> Vec<(u64, u64)> {
+    let share = (a.collided() + b.collided()) / MOST_CELLS;
+    let enough = if share > LEAST_POOLED { share } else { LEAST_POOLED };
+    let (mut groups, mut open) = (Vec::new(), (0, 0));
+    for (&i, &j) in a.cells.iter().zip(&b.cells) {
+        open = (open.0 + i, open.1 + j);
+        if open.0 + open.1 >= enough {
+            groups.push(std::mem::take(&mut open));
+        }
+    }
+    if let Some(last) = groups.last_mut() {
+        *last = (last.0 + open.0, last.1 + open.1);
+    }
+    groups
+}
+
+/// The exact p-value of two counts, brought together by the slack.
+fn counts_p([i, j]: [u64; 2], [n, m]: [u64; 2], slack: f64) -> f64 {
+    let room = (0.5 * slack * n as f64).floor() as u64;
+    let more = i as f64 / n as f64 > j as f64 / m as f64;
+    let (i, j) = if more { (i.saturating_sub(room), j + room) } else { (i + room, j.saturating_sub(room)) };
+    let crossed = (i as f64 / n as f64 > j as f64 / m as f64) != more;
+    if room > 0 && crossed { 1.0 } else { hypergeometric_two_sided(i, n, i + j, n + m) }
+}
+
+/// The two samples have one mean: Fisher's exact test for 0/1, Welch's statistic where skewness allows it, its skewness-corrected
+/// form where it allows that (Hall 1992), empirical Bernstein for bounded draws, otherwise no p-value.
+///
+/// ```text
+/// T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m)
+/// ```
+#[must_use]
+pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evidence {
+    let means = [a, b].map(|sums| sums.center + sums.bias());
+    let [va, vb] = [a, b].map(|sums| sums.variance() / sums.n as f64);
+    let (apart, error) = (lessened(means[0] - means[1], sample.slack + 1e-12 * means[0].abs()), (va + vb).sqrt());
+    let note = format!("mean {:.6e}, and {:.6e} in the other setting", means[0], means[1]);
+    let evidence = |statistic, p| Evidence::new(name, statistic, None, p, Reason::Biased).noted(note.clone());
+    if sample.binary && [a, b].iter().all(|sums| sums.zeros + sums.ones == sums.n && sums.n > 0) {
+        return evidence(apart, counts_p([a.ones, b.ones], [a.n, b.n], sample.slack)).under(Null::Conservative);
+    }
+    if a.constant() && b.constant() && telling(a) && telling(b) {
+        return evidence(apart, f64::from(u8::from(apart.abs() <= 0.0))).under(Null::Conservative);
+    }
+    let gates =
+        [a, b].map(|sums| if sums.constant() { (false, false) } else { gate(sums.skewness(), sums.n as f64) });
+    let (t, null) = (if apart == 0.0 { 0.0 } else { apart / error }, Null::lessened(sample.slack, error));
+    match sample.range {
+        _ if gates.iter().all(|gate| gate.0) => evidence(t, normal_two_sided(t)).under(null),
+        _ if gates.iter().all(|gate| gate.1) => evidence(t, corrected_p(t, skewness([a, b]), 1.0)).under(null),
+        Some(range) if [a, b].iter().all(|sums| sums.least >= range.0 && sums.greatest <= range.1) => {
+            evidence(apart, bernstein_p([a, b], range, apart)).under(Null::Conservative)
+        }
+        _ => Evidence::withheld(name, t, Reason::Biased, "the draws are too skew, and no range is known"),
+    }
+}
+
+/// Draws without noise that are not only walks which met nothing.
+fn telling(sums: &PowerSums) -> bool {
+    sums.zeros < sums.n && sums.ones < sums.n
+}
+
+/// Skewness of the difference of the means.
+fn skewness([a, b]: [&PowerSums; 2]) -> f64 {
+    let third = |sums: &PowerSums| {
+        let (n, v) = (sums.n as f64, sums.variance());
+        sums.skewness() * v * v.sqrt() / (n * n)
+    };
+    let v = a.variance() / a.n as f64 + b.variance() / b.n as f64;
+    (third(a) - third(b)) / (v * v.sqrt())
+}
+
+/// The level at which both empirical Bernstein intervals just meet, half of it for each (Maurer and Pontil 2009).
+fn bernstein_p(samples: [&PowerSums; 2], (low, high): (f64, f64), apart: f64) -> f64 {
+    if apart == 0.0 {
+        return 1.0;
+    }
+    let of = |sums: &PowerSums| {
+        let n = sums.n as f64;
+        (7.0 * (high - low) / (3.0 * (n - 1.0)), (2.0 * sums.variance() / n).sqrt())
+    };
+    let [(a, b), (c, d)] = samples.map(of);
+    let (linear, root) = (a + c, b + d);
+    let l = 2.0 * apart.abs() / (root + (root * root + 4.0 * linear * apart.abs()).sqrt());
+    let p = 8.0 * libm::exp(-l * l);
+    if p > 1.0 { 1.0 } else { p }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use freepath_estimators::Key;
+    use freepath_estimators::random::{exponential, uniform};
+
+    fn sums(block: u64, n: usize, draw: fn(f64, f64) -> f64) -> PowerSums {
+        let mut rng = Key { seed: 9, subject: 1, block }.rng();
+        let draws: Vec<f64> = (0..n).map(|_| draw(uniform(&mut rng), exponential(&mut rng))).collect();
+        PowerSums::of(0.5, &draws)
+    }
+
+    fn known(binary: bool, range: Option<(f64, f64)>) -> Sample {
+        Sample { range, binary, slack: 0.0 }
+    }
+
+    fn p(a: &PowerSums, b: &PowerSums, sample: &Sample) -> Option<f64> {
+        agree_mean("agree_majorant", [a, b], sample).p
+    }
+
+    #[test]
+    fn equal_means_agree_and_others_do_not() {
+        let half = |u, _| u;
+        let (a, b) = (sums(0, 40_000, half), sums(1, 40_000, half));
+        assert!(p(&a, &b, &known(false, None)) > Some(1e-3));
+        let more = sums(2, 40_000, |u, _| 1.03 * u);
+        assert!(p(&a, &more, &known(false, None)) < Some(1e-6));
+        let coin = |u: f64, _| f64::from(u8::from(u < 0.3));
+        let other = |u: f64, _| f64::from(u8::from(u < 0.33));
+        assert!(p(&sums(3, 40_000, coin), &sums(4, 40_000, coin), &known(true, None)) > Some(1e-3));
+        assert!(p(&sums(3, 40_000, coin), &sums(4, 40_000, other), &known(true, None)) < Some(1e-6));
+    }
+
+    #[test]
+    fn skew_draws_are_withheld_or_bounded() {
+        let rare = |u: f64, _| if u < 1e-3 { 0.9 } else { 0.001 };
+        let (a, b) = (sums(0, 4000, rare), sums(1, 4000, rare));
+        assert_eq!(p(&a, &b, &known(false, None)), None);
+        assert!(p(&a, &b, &known(false, Some((0.0, 1.0)))) > Some(1e-3));
+        let nothing = PowerSums::of(0.5, &[1.0; 4000]);
+        assert_eq!(p(&nothing, &nothing, &known(false, None)), None);
+        let exact = PowerSums::of(0.5, &[0.25; 4000]);
+        assert_eq!(p(&exact, &exact, &known(false, None)), Some(1.0));
+        assert_eq!(p(&exact, &PowerSums::of(0.5, &[0.250_001; 4000]), &known(false, None)), Some(0.0));
+    }
+
+    #[test]
+    fn one_cell_with_too_many_is_seen() {
+        let tally = |extra: u64| CellTally {
+            cells: (0..400).map(|k| if k == 200 { 50 + extra } else { 50 }).collect(),
+            escapes: 3000,
+            ..CellTally::default()
+        };
+        let law = |a: u64, b: u64| agree_law("agree_majorant", [&tally(a), &tally(b)], 0.0, Reason::WrongLaw);
+        assert!(law(0, 0).p > Some(0.9));
+        assert!(law(400, 0).p < Some(1e-6));
+        let nan = CellTally { escapes: 0, cells: vec![0; 400], non_finite: 10, ..CellTally::default() };
+        let evidence = agree_law("agree_majorant", [&nan, &tally(0)], 0.0, Reason::WrongLaw);
+        assert!(evidence.p < Some(1.0));
+    }
+}
