@@ -26,7 +26,7 @@ pub fn pairs(tally: &LagTally) -> Evidence {
     let enough = |table: &Vec<Vec<f64>>| {
         let (k, least) = (table.len(), least_expected(table.len() * table.len()));
         let expected = margins(table).0.into_iter().fold(f64::INFINITY, |a, b| if b < a { b } else { a });
-        k >= 2 && expected * expected >= least * total as f64
+        k >= 2 && total > 0 && expected * expected >= least * total as f64
     };
     let Some(table) = tables.into_iter().find(enough) else {
         let why = "fewer than two groups of draws are large enough for a table of pairs";
