@@ -22,12 +22,12 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("mark", MARK),
     ("mean", MEAN),
     ("growth", GROWTH),
+    ("second_moment", SECOND_MOMENT),
+    ("lookups", LOOKUPS),
     ("agree_majorant", AGREE),
     ("agree_segments", AGREE),
     ("agree_grid", AGREE),
     ("agree_reversed", AGREE),
-    ("second_moment", SECOND_MOMENT),
-    ("lookups", LOOKUPS),
     ("pdf_integral", PDF_INTEGRAL),
 ];
 
@@ -154,22 +154,22 @@ p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
 Gate:    20 blocks, and a variance of the total of 400 squared costs.
 Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.";
 
+const AGREE: &str = "\
+```text
+mean:   T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m); hypergeometric for 0/1, given all ones
+law:    X = sum (a_i / a - b_i / b)^2 a b / (a_i + b_i) over cells of collided draws, and the escapes: twice the smaller p
+```
+Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
+         where the range is known; else no p-value. Cells hold 128 draws of both together.
+Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
+Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
+
 const PDF_INTEGRAL: &str = "\
 ```text
 int_0^length pdf + P(surface) = 1, to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.";
-
-const AGREE: &str = "\
-```text
-T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m)
-X^2 = sum_i (a_i / a - b_i / b)^2 a b / (a_i + b_i)
-```
-0/1 by Fisher's exact test; a law by its escapes (exact) and by cells of 128 draws in both, p = 2 min of the two.
-Gate:    as mean for means; made only where the case asks for it by `agree`. Nobody needs to know tau.
-Rejects: as biased, or as wrong_law for a law: one of the two settings, or both, is wrong.
-Source:  Fisher (1935), Welch (1938), Hall (1992).";
 
 const BERK_JONES: &str = "\
 ```text
