@@ -11,6 +11,8 @@ mod kolmogorov;
 mod lag;
 mod lookups;
 mod means;
+mod neyman;
+mod pairs;
 mod pearson;
 mod second_moment;
 mod table;
@@ -26,7 +28,7 @@ pub(crate) const LEVELS: [f64; 3] = [1e-3, 1e-5, 1e-7];
 #[derive(Parser)]
 struct Args {
     /// Replicates for each figure.
-    #[arg(long, default_value_t = 40_000)]
+    #[arg(long, default_value_t = 16_384)]
     replicates: u64,
     /// The seed of all replicates.
     #[arg(long, default_value_t = 1)]
@@ -45,12 +47,14 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 6] = [
+const TESTS: [(&str, Measure); 8] = [
     ("chi_square", pearson::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
     ("lookups", lookups::rows),
     ("lag", lag::rows),
+    ("pairs", pairs::rows),
+    ("neyman", neyman::rows),
     ("kolmogorov", kolmogorov::rows),
 ];
 
