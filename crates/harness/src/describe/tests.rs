@@ -24,6 +24,10 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("growth", GROWTH),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
+    ("agree_majorant", AGREE),
+    ("agree_segments", AGREE),
+    ("agree_grid", AGREE),
+    ("agree_reversed", AGREE),
     ("pdf_integral", PDF_INTEGRAL),
 ];
 
