@@ -28,10 +28,6 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("agree_reversed", AGREE),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
-    ("agree_majorant", AGREE),
-    ("agree_segments", AGREE),
-    ("agree_grid", AGREE),
-    ("agree_reversed", AGREE),
     ("pdf_integral", PDF_INTEGRAL),
 ];
 
