@@ -7,10 +7,13 @@
 //! cargo run --release -p freepath-calibration --bin levels > docs/levels.md
 //! ```
 
+mod exposure;
 mod kolmogorov;
 mod lag;
 mod lookups;
 mod means;
+mod neyman;
+mod null_positions;
 mod pearson;
 mod second_moment;
 mod table;
@@ -45,8 +48,11 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 6] = [
+const TESTS: [(&str, Measure); 9] = [
     ("chi_square", pearson::rows),
+    ("null_positions", null_positions::rows),
+    ("exposure", exposure::rows),
+    ("neyman", neyman::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
     ("lookups", lookups::rows),
