@@ -86,6 +86,13 @@ fn second_moments_of_skew_squares_are_withheld() {
     assert!(given(110) && !given(90));
 }
 
+/// So many pairs at every lag, and no correlation.
+fn paired(pairs: u64) -> LagTally {
+    let mut tally = LagTally::default();
+    tally.pairs = [pairs; LAGS];
+    tally
+}
+
 #[test]
 fn few_blocks_and_few_pairs_say_nothing() {
     let totals = |blocks: u64, spread: u64| {
@@ -97,11 +104,10 @@ fn few_blocks_and_few_pairs_say_nothing() {
     assert!(totals(20, 16) && !totals(20, 15), "a variance of all draws below 1111 may be a few rare ones");
     let law = Law::new(1.0, 0.0, |t| libm::exp(-t));
     let (scores, cells) = (Scores::new(&law), tally(&law, 1001));
-    let of = |pairs| lag(&scores, &LagTally { pairs: [pairs; LAGS], ..LagTally::default() }, &cells).p.is_some();
+    let of = |pairs| lag(&scores, &paired(pairs), &cells).p.is_some();
     assert!(of(1000) && !of(999));
     let thin = Law::new(1.0, 0.0, |t| libm::exp(-0.06 * t));
-    let thin =
-        lag(&Scores::new(&thin), &LagTally { pairs: [1000; LAGS], ..LagTally::default() }, &tally(&thin, 1001));
+    let thin = lag(&Scores::new(&thin), &paired(1000), &tally(&thin, 1001));
     assert_eq!(thin.p, None, "1000 pairs of skew ranks");
     assert_eq!(kolmogorov(&law, &CellTally::new(&law), Reason::WrongLaw).p, None);
 }

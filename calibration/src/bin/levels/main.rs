@@ -14,6 +14,7 @@ mod lookups;
 mod means;
 mod neyman;
 mod null_positions;
+mod pairs;
 mod pearson;
 mod second_moment;
 mod table;
@@ -48,15 +49,16 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 9] = [
+const TESTS: [(&str, Measure); 10] = [
     ("chi_square", pearson::rows),
     ("null_positions", null_positions::rows),
     ("exposure", exposure::rows),
-    ("neyman", neyman::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
     ("lookups", lookups::rows),
     ("lag", lag::rows),
+    ("pairs", pairs::rows),
+    ("neyman", neyman::rows),
     ("kolmogorov", kolmogorov::rows),
 ];
 

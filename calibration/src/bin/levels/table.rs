@@ -76,5 +76,6 @@ Far tails are measured by importance sampling with exact likelihood ratios: coun
 the statistic has its mean where the tail begins; draws of a law on finitely many points with mass leaning as exp(a y + b y^2) to
 where the self-normalised mean first reaches the tail (Shao 1997); chains of draws with neighbours that attract or repel each
 other; uniform draws with too many below one of many points. Binomial, Clopper-Pearson, Poisson and empirical Bernstein p-values are
-exact or bounds, and are not here.
+exact or bounds, and are not here. Sums of squares lean towards one direction each, drawn at random; tables of neighbours are chains
+with Dirichlet rows.
 ";
