@@ -16,7 +16,8 @@ const ORDER: usize = 16;
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let row = |collisions: u64| {
         let few = Effort { replicates: effort.replicates / 10, ..effort };
-        Row::new("neyman_16", format!("{collisions} collisions"), true, |level| vec![tail(collisions, level, few)])
+        let setting = format!("{collisions} collisions");
+        Row::new("neyman_16", setting, true, |level| vec![tail(collisions, level, few)])
     };
     vec![row(10_000), row(100_000)]
 }
