@@ -15,7 +15,7 @@ mod signal;
 mod table;
 mod trouble;
 
-use args::Verb;
+use args::{Verb, When};
 use clap::{CommandFactory, FromArgMatches};
 use freepath_estimators::{ChromaticSampler, FreePathSampler, List, TransmittanceEstimator};
 use freepath_harness::case::Lists;
@@ -89,21 +89,26 @@ impl Command {
     /// Does what the arguments of the process ask for, once in a process. The code is 2 if a name is listed twice.
     #[must_use]
     pub fn run(self) -> ExitCode {
-        program::call(self.name);
-        let installed = self.lists.map_or(Ok(()), Lists::install).map_err(Trouble::unusable);
-        let code = installed.and_then(|()| obey(self.name)).unwrap_or_else(|trouble| {
+        let code = self.obey().unwrap_or_else(|trouble| {
             // If standard error is gone, there is nobody to tell.
             drop(writeln!(stderr(), "{}", trouble.message()));
             trouble.code()
         });
         ExitCode::from(code)
     }
+
+    fn obey(self) -> Result<u8, Trouble> {
+        program::call(self.name);
+        self.lists.map_or(Ok(()), Lists::install).map_err(Trouble::unusable)?;
+        let matches = args::Command::command().name(self.name).get_matches();
+        let args::Command { verb, color } =
+            args::Command::from_arg_matches(&matches).unwrap_or_else(|why| why.exit());
+        done(&verb, color)
+    }
 }
 
-fn obey(name: &'static str) -> Result<u8, Trouble> {
-    let matches = args::Command::command().name(name).get_matches();
-    let args::Command { verb, color } = args::Command::from_arg_matches(&matches).unwrap_or_else(|why| why.exit());
-    match &verb {
+fn done(verb: &Verb, color: When) -> Result<u8, Trouble> {
+    match verb {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Check(args) => cmd::check::check(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
@@ -114,5 +119,22 @@ fn obey(name: &'static str) -> Result<u8, Trouble> {
         Verb::Describe(args) => cmd::describe::describe(args),
         Verb::Report(args) => cmd::report::report(args),
         Verb::Soak(args) => cmd::soak::soak(args, color),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Command;
+    use freepath_estimators::free_path::AnyFreePath;
+
+    #[test]
+    fn a_name_that_is_taken_ends_the_program_before_it_starts() {
+        let refused = Command::named("freepath").free_path::<AnyFreePath>().obey().unwrap_err();
+        assert_eq!(refused.code(), 2);
+        let told = refused.message();
+        assert!(
+            told.starts_with("error: cannot list the free_path subject `delta_tracking`: the name is taken"),
+            "{told}"
+        );
     }
 }

@@ -206,3 +206,6 @@ fn closer<T: ?Sized>(lists: &[Listing<T>], source: &Source, path: &str) -> Optio
     let list = find(lists, source.only_key(path)?)?;
     (list.check)(source, path).err()
 }
+
+#[cfg(test)]
+mod tests;
