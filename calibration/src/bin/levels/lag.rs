@@ -87,7 +87,7 @@ impl Chain {
             let (mut cells, mut index, mut tally) = (CellTally::new(&law), Vec::new(), LagTally::default());
             cells.observe(&law, &t, &mut index);
             tally.observe(&scores, &index);
-            if !lags(&scores, &tally, &cells).p.is_some_and(|p| !(p > level)) {
+            if lags(&scores, &tally, &cells).p.is_none_or(|p| p > level) {
                 return 0.0;
             }
             let scale = reach / unit / (4096.0 * 4096.0);

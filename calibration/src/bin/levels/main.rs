@@ -7,6 +7,7 @@
 //! cargo run --release -p freepath-calibration --bin levels > docs/levels.md
 //! ```
 
+mod exposure;
 mod kolmogorov;
 mod lag;
 mod lookups;
@@ -47,7 +48,7 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 8] = [
+const TESTS: [(&str, Measure); 9] = [
     ("chi_square", pearson::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
@@ -55,6 +56,7 @@ const TESTS: [(&str, Measure); 8] = [
     ("lag", lag::rows),
     ("pairs", pairs::rows),
     ("neyman", neyman::rows),
+    ("exposure", exposure::rows),
     ("kolmogorov", kolmogorov::rows),
 ];
 

@@ -16,7 +16,8 @@ const ORDER: usize = 16;
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let row = |collisions: u64| {
         let few = Effort { replicates: effort.replicates / 10, ..effort };
-        Row::new("neyman_16", format!("{collisions} collisions"), true, |level| vec![tail(collisions, level, few)])
+        let setting = format!("{collisions} collisions");
+        Row::new("neyman_16", setting, true, |level| vec![tail(collisions, level, few)])
     };
     vec![row(10_000), row(100_000)]
 }
@@ -34,7 +35,7 @@ fn tail(collisions: u64, level: f64, effort: Effort) -> Tail {
         let norm = libm::log(shares.iter().sum());
         let tally = CellTally { cells: counts(collisions, &shares, rng), ..CellTally::default() };
         let evidence = neyman(&law, &tally, Reason::WrongLaw);
-        if !evidence.p.is_some_and(|p| !(p > level)) {
+        if evidence.p.is_none_or(|p| p > level) {
             return 0.0;
         }
         let weighted = |f: &dyn Fn(usize) -> f64| -> f64 {

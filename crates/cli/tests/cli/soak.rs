@@ -1,6 +1,6 @@
 //! `freepath soak`: what it takes, and what it writes.
 
-use crate::support::{folder, put, run, with_good};
+use crate::support::{put, run, with_good};
 use serde_json::Value;
 use std::fs;
 

@@ -25,7 +25,7 @@ pub fn pairs(tally: &LagTally) -> Evidence {
     let enough = |table: &Vec<Vec<f64>>| {
         let (k, least) = (table.len(), if table.len() < RANK_GROUPS { 200.0 } else { 50.0 });
         let expected = margins(table).0.into_iter().fold(f64::INFINITY, |a, b| if b < a { b } else { a });
-        k >= 2 && expected * expected >= least * total as f64
+        k >= 2 && total > 0 && expected * expected >= least * total as f64
     };
     let Some(table) = tables.into_iter().find(enough) else {
         let why = "fewer than two groups of draws are large enough for a table of pairs";
