@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::{Options, html, json, run_id};
+use freepath_report::{Beside, Options, html, json, run_id};
 use std::collections::HashSet;
 
 /// What follows `before` up to the next quote, at every place.
@@ -90,12 +90,12 @@ fn the_same_results_give_the_same_page() {
 fn timings_of_another_run_are_left_out() {
     let (results, timings) = support::run();
     let options = Options { run: Some("another".into()), ..Options::default() };
-    assert!(!options.html(&results, Some(&timings)).unwrap().contains("on 8 threads"));
+    assert!(!options.html(&results, &Beside::timed(Some(&timings))).unwrap().contains("on 8 threads"));
 }
 
 #[test]
 fn a_page_without_plots_beside_it_does_not_link_to_them() {
     let (results, _) = support::run();
     let options = Options { png: false, svg: false, run: None };
-    assert!(!options.html(&results, None).unwrap().contains("href=\"plots/"));
+    assert!(!options.html(&results, &Beside::default()).unwrap().contains("href=\"plots/"));
 }
