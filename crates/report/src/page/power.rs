@@ -77,7 +77,9 @@ impl PowerView {
 
 fn lead(power: &PowerResults) -> String {
     let expected = power.rows.iter().filter(|row| row.as_expected).count();
-    let most = power.rows.iter().filter_map(|row| row.needed).max();
+    let caught = power.rows.iter().filter(|row| row.role == Role::Caught);
+    let most: Option<Vec<u64>> = caught.map(|row| row.needed).collect();
+    let most = most.and_then(|all| all.into_iter().max());
     let most = most.map_or(String::new(), |most| format!(" No fault needs more than {} draws.", count(most)));
     format!(
         "{} of {} rows are as they must be.{most} A fault counts as caught if it would be caught in a run of {} p-values, each stage \

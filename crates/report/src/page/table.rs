@@ -79,6 +79,9 @@ pub(crate) fn reasons(result: &SubjectResult) -> String {
 
 /// The strongest evidence against a subject, in a few words.
 pub(crate) fn evidence(result: &SubjectResult) -> String {
+    if let Some(fact) = result.facts.first() {
+        return format!("{}: {}", clean(&words(&fact.check), 60), clean(&fact.words, 120));
+    }
     match result.tests.iter().filter(|t| t.rejected).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
         Some(test) => {
             format!("{}: p = {}", clean(&words(&test.name), 60), test.p.map_or("none".into(), |p| short(p.0)))

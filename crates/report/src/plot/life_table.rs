@@ -8,6 +8,8 @@ use freepath_harness::results::{LifeTable, MOST_POINTS, MediumSeries};
 
 /// A row of k breaks where its p-value is below this over k.
 const LEVEL: f64 = 1e-3;
+/// A broken row is off the axis if it is off by more than this times the upper quartile of the broken rows.
+const OUTLYING: f64 = 3.0;
 /// The largest ratio that the axis shows.
 const MOST_RATIO: f64 = 6.0;
 /// The share of the panel that the extinction behind it takes.
@@ -48,7 +50,7 @@ pub(crate) fn figure(table: &LifeTable, medium: Option<&MediumSeries>, subject: 
     let found = match broken {
         0 => "In no row is the law broken for certain.".to_string(),
         n => format!(
-            "It is broken in {n} of {} rows, in red; those that end in a triangle are off the axis.",
+            "It is broken in {n} of {} rows, in red: p below 0.001 over their number; triangles stand for rows off the axis.",
             rows.len()
         ),
     };
@@ -83,15 +85,21 @@ fn picture(rows: &[Row], medium: Option<&MediumSeries>, subject: &str) -> Pictur
     picture
 }
 
-/// Around 1: wide enough for the rows that break and for most of the others.
+/// Around 1: wide enough for most rows, and for all that break but a few that would flatten the rest.
 fn axis(rows: &[Row]) -> Axis {
-    let off = |row: &Row| reach([row.low - 1.0, row.high - 1.0]);
-    let mut widths: Vec<f64> = rows.iter().map(off).filter(|x| *x > 0.0).collect();
-    widths.sort_by(f64::total_cmp);
-    let usual = widths.get(widths.len() * 3 / 4).copied().unwrap_or(0.5);
-    let broken = reach(rows.iter().filter(|row| row.broken).map(|row| 1.2 * (row.ratio - 1.0)));
-    let room = 1.15 * usual.max(broken).min(MOST_RATIO);
+    let usual = upper_quartile(rows.iter().map(|row| reach([row.low - 1.0, row.high - 1.0])));
+    let broken = || rows.iter().filter(|row| row.broken).map(|row| (row.ratio - 1.0).abs());
+    let most = OUTLYING * upper_quartile(broken()).unwrap_or(0.0);
+    let furthest = 1.2 * reach(broken().filter(|off| *off <= most));
+    let room = 1.15 * usual.unwrap_or(0.5).max(furthest).min(MOST_RATIO);
     Axis::linear("observed / expected hazard", (1.0 - room).max(0.0), 1.0 + room, 6)
+}
+
+/// Of those that are finite and positive.
+fn upper_quartile(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.filter(|x| x.is_finite() && *x > 0.0).collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() * 3 / 4).copied()
 }
 
 fn behind(picture: &mut Picture, frame: &Frame, medium: Option<&MediumSeries>) {

@@ -23,7 +23,7 @@ pub(crate) fn figure(power: &PowerResults) -> Option<Figure> {
 }
 
 fn picture(rows: &[&PowerRow]) -> Picture {
-    let labels: Vec<String> = rows.iter().map(|row| clean(&words(&row.fault), 34)).collect();
+    let labels: Vec<String> = rows.iter().map(|row| label(row)).collect();
     let left = labels.iter().map(|l| width_of(l, SMALL)).fold(60.0, f64::max) + 18.0;
     let mut picture = Picture::new(WIDTH, 0.0, "draws needed to see each planted fault");
     let keys = [
@@ -44,6 +44,12 @@ fn picture(rows: &[&PowerRow]) -> Picture {
         line(&mut picture, &frame, row, y);
     }
     picture
+}
+
+/// The fault and the kind of the medium, which its words begin with.
+fn label(row: &PowerRow) -> String {
+    let medium = row.medium.split(' ').next().unwrap_or_default();
+    format!("{}, {}", clean(&words(&row.fault), 26), clean(&words(medium), 14))
 }
 
 fn line(picture: &mut Picture, frame: &Frame, row: &PowerRow, y: f64) {

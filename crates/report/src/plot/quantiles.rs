@@ -46,12 +46,8 @@ pub(crate) fn judged(site: &Site) -> Vec<f64> {
 pub(crate) fn of_run(site: &Site) -> Option<Figure> {
     let all = judged(site);
     let n = all.len();
-    let mut points = Vec::new();
-    let mut rank = 1;
-    while rank <= n {
-        points.push(((rank as f64 - 0.5) / n as f64, all[rank - 1]));
-        rank += 1 + rank / 24;
-    }
+    let points = all.iter().enumerate().map(|(i, p)| ((i as f64 + 0.5) / n as f64, *p));
+    let points = spaced(points, 120.0);
     let ranked = Ranked { n: n as u64, points };
     let words = format!(
         "The {} p-values by which stage 1 judged the subjects that pass as expected, without those that carry a fault, in order, \
@@ -70,9 +66,27 @@ pub(crate) fn of_run(site: &Site) -> Option<Figure> {
     })
 }
 
+/// Of ascending points those that stand apart on a log scale, with `count` places to the range.
+fn spaced(points: impl Iterator<Item = Point>, count: f64) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    let mut next = f64::NEG_INFINITY;
+    let mut step = 0.0;
+    for point in points {
+        let at = libm::log(point.0);
+        if kept.is_empty() {
+            step = -at / count;
+        }
+        if at >= next {
+            kept.push(point);
+            next = at + step;
+        }
+    }
+    kept
+}
+
 /// All p-values of a soak together.
 pub(crate) fn of_soak(soak: &SoakResults) -> Option<Figure> {
-    let ranked = ranked(&soak.pooled, soak.p_values)?;
+    let ranked = ranked(&soak.pooled, soak.p_values, 120.0)?;
     let words = format!(
         "All {} p-values of stage 1 in {} runs of right subjects, every test together, discrete ones spread over their steps. \
          Conservative tests pull the curve up; nothing may pull it below the band.",
@@ -84,11 +98,11 @@ pub(crate) fn of_soak(soak: &SoakResults) -> Option<Figure> {
 }
 
 /// The columns of a series, thinned.
-fn ranked(series: &QuantileSeries, n: u64) -> Option<Ranked> {
+fn ranked(series: &QuantileSeries, n: u64, places: f64) -> Option<Ranked> {
     let positive = |p: &Real| if p.0 >= 0.0 { p.0 } else { 0.0 };
     let pairs = series.expected.iter().zip(&series.observed).take(MOST_POINTS);
-    let points: Vec<Point> =
-        pairs.filter(|(e, _)| e.0 > 0.0 && e.0 < 1.0).map(|(e, o)| (e.0, positive(o))).collect();
+    let usable = pairs.filter(|(e, _)| e.0 > 0.0 && e.0 < 1.0).map(|(e, o)| (e.0, positive(o)));
+    let points = spaced(usable, places);
     (points.len() >= FEWEST && n > 0).then_some(Ranked { n, points })
 }
 
@@ -153,9 +167,9 @@ fn limits(e: f64, n: u64) -> (f64, f64, f64) {
 
 /// A small panel for each test of a soak.
 pub(crate) fn of_tests(soak: &SoakResults) -> Option<Figure> {
-    let all = soak.tests.iter().filter_map(|test| Some((test, ranked(&test.quantiles, test.p_values)?)));
+    let all = soak.tests.iter().filter_map(|test| Some((test, ranked(&test.quantiles, test.p_values, 40.0)?)));
     let all: Vec<(&SoakTest, Ranked)> = all.take(MOST_PANELS).collect();
-    let words = "Each test alone, both axes as above: along the line p-values are uniform, above it they are conservative, and below \
+    let words = "Each test alone, both axes as above, tests with p-values of several kinds once for each kind: along the line p-values are uniform, above it they are conservative, and below \
                  the band they are too small."
         .into();
     let heading = "p-values of each test".into();
@@ -173,14 +187,16 @@ fn grid(all: &[(&SoakTest, Ranked)]) -> Picture {
         let ticks = |axis: &Axis| [axis.ticks.first(), axis.ticks.last()].into_iter().flatten().cloned().collect();
         let (x, y) = (Axis { ticks: ticks(&x), ..x }, Axis { ticks: ticks(&y), ..y });
         let inset = Inset {
-            left: column * width + 36.0,
+            left: column * width + 40.0,
             top: row * PANEL + 26.0,
-            right: WIDTH - (column + 1.0) * width + 8.0,
+            right: WIDTH - (column + 1.0) * width + 6.0,
             bottom: picture.height - (row + 1.0) * PANEL + 22.0,
         };
         let frame = picture.frame(x, y, inset);
         panel(&mut picture, &frame, ranked);
-        let name = clean(&words(&test.test), 22);
+        let twice = all.iter().filter(|(other, _)| other.test == test.test).count() > 1;
+        let law = if twice { format!(" ({})", clean(&words(&test.null), 12)) } else { String::new() };
+        let name = clean(&words(&test.test), 22 - law.len().min(14)) + &law;
         let ink = if test.holds { Ink::Text } else { Ink::Vermillion };
         picture.text((frame.left, frame.top - 10.0), name, SMALL, ink, crate::draw::Align::Left);
     }
