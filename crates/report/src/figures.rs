@@ -58,11 +58,11 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
     let (result, name) = (subject.result, &subject.name);
     let series = &result.series;
     let figures = [
+        broken(site, subject),
         series.cdf.as_ref().map(|s| cdf::figure(s, name, level)),
         series.histogram.as_ref().map(|s| histogram::figure(s, name)),
         series.residuals.as_ref().map(|s| residuals::figure(s, name)),
         series.running.as_ref().zip(result.mean.as_ref()).map(|(s, mean)| running::figure(s, mean, name, level)),
-        broken(site, subject),
         channels(subject),
     ];
     named(&subject.id, figures.into_iter().flatten())

@@ -3,7 +3,7 @@
 use super::figure::FigureView;
 use crate::ReportError;
 use crate::figures::Figures;
-use crate::number::{count, short};
+use crate::number::{count, probability, short};
 use crate::site::Site;
 use crate::text::{clean, words};
 use freepath_harness::results::{PowerResults, PowerRow, Role};
@@ -127,7 +127,7 @@ fn caught(of: &PowerRow) -> [String; 3] {
 fn least(of: &PowerRow) -> String {
     let full = of.ladder.last();
     let test = full.and_then(|rung| rung.least.as_deref()).map_or(String::new(), |name| clean(&words(name), 60));
-    full.and_then(|rung| rung.least_p).map_or("no test".into(), |p| format!("{} ({test})", short(p.0)))
+    full.and_then(|rung| rung.least_p).map_or("no test".into(), |p| format!("{} ({test})", probability(p.0)))
 }
 
 fn seen(of: &PowerRow) -> String {

@@ -5,11 +5,12 @@ use super::matrix::Letter;
 use super::words;
 use crate::ReportError;
 use crate::figures::Drawn;
-use crate::number::{count, short};
+use crate::number::{count, probability, short};
 use crate::site::Subject;
 use crate::text::clean;
 use freepath_harness::describe::advice;
-use freepath_harness::results::{FactResult, TestResult};
+use freepath_harness::real::Real;
+use freepath_harness::results::{FactResult, SubjectResult, TestResult};
 use freepath_harness::verdict::Reason;
 
 /// Most notes and tests that are shown of one subject.
@@ -73,7 +74,7 @@ impl SubjectView {
             sentence: words::verdict(result),
             verdict: result.verdict.to_string(),
             reasons: result.reasons.iter().take(MOST).map(reason).collect(),
-            notes: result.notes.iter().take(MOST).map(|note| clean(note, 600)).collect(),
+            notes: notes(result),
             measures: measures(subject),
             expected: format!("{}{why}", clean(&crate::text::words(&result.expected), 120)),
             faults: clean(&crate::text::words(&result.faults.join(", ")), 200),
@@ -92,12 +93,22 @@ fn reason(reason: &Reason) -> ReasonView {
     ReasonView { code: reason.code(), words: reason.words(), causes: part("Causes:"), advice: part("Do:") }
 }
 
+/// What the tables of tests and facts do not tell.
+fn notes(result: &SubjectResult) -> Vec<String> {
+    let facts = || result.facts.iter().take(MOST);
+    let tests = || result.tests.iter().take(MOST).filter(|test| test.rejected);
+    let of_test =
+        |note: &str| tests().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")));
+    let told = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
+    result.notes.iter().take(MOST).filter(|note| !told(note)).map(|note| clean(note, 600)).collect()
+}
+
 /// The paragraph of `text` that begins with `name`, in one line and with the full stop that ends it.
 fn paragraph(text: &str, name: &str) -> String {
     let mut lines = text.lines().skip_while(|line| !line.starts_with(name));
     let first = lines.next().and_then(|line| line.strip_prefix(name)).unwrap_or_default().trim();
     let rest = lines.take_while(|line| line.starts_with(' '));
-    rest.fold(first.to_string(), |all, line| all + " " + line.trim())
+    rest.fold(first.to_string(), |all, line| all + " " + line.trim()).replace('`', "")
 }
 
 fn fact(fact: &FactResult) -> FactRow {
@@ -140,7 +151,8 @@ fn draws(subject: &Subject) -> String {
 }
 
 fn test(test: &TestResult) -> TestRow {
-    let optional = |x: Option<freepath_harness::real::Real>| x.map_or_else(|| "–".into(), |x| short(x.0));
+    let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
+    let chance = |p| shown(p, probability);
     let (class, decision) = match test {
         TestResult { rejected: true, .. } => ("rejected", "rejected"),
         TestResult { reported: true, .. } => ("reported", "shown, not judged"),
@@ -151,9 +163,9 @@ fn test(test: &TestResult) -> TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
         statistic: short(test.statistic.0),
-        dof: optional(test.dof),
-        p: optional(test.p),
-        adjusted: optional(test.p_adjusted),
+        dof: shown(test.dof, short),
+        p: chance(test.p),
+        adjusted: chance(test.p_adjusted),
         class,
         decision,
         note: clean(&test.note, 300),

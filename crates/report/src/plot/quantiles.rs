@@ -15,6 +15,8 @@ use freepath_harness::verdict::Verdict;
 const LEVEL: f64 = 1e-3;
 /// Below this a p-value is drawn at it.
 const LEAST: f64 = 1e-12;
+/// Beyond so many p-values the limits are not known to their last digits: no band is drawn.
+const MOST_RANKS: u64 = 1_000_000_000;
 /// Fewest p-values that make a plot.
 const FEWEST: usize = 8;
 /// Most panels of tests.
@@ -143,7 +145,8 @@ fn axes(ranked: &Ranked, across: &str, up: &str) -> (Axis, Axis) {
 
 /// The band, the diagonal and the curve.
 fn panel(picture: &mut Picture, frame: &Frame, ranked: &Ranked) {
-    let limits: Vec<(f64, f64, f64)> = ranked.points.iter().map(|p| limits(p.0, ranked.n)).collect();
+    let sure = ranked.points.iter().filter(|_| ranked.n <= MOST_RANKS);
+    let limits: Vec<(f64, f64, f64)> = sure.map(|p| limits(p.0, ranked.n)).collect();
     let edge = |of: fn(&(f64, f64, f64)) -> f64| {
         limits.iter().filter_map(|l| frame.point(l.0, floor(of(l)))).collect::<Vec<Point>>()
     };
