@@ -12,18 +12,22 @@ use std::path::{Path, PathBuf};
 
 mod agree;
 mod check;
+mod command;
 mod error;
 mod faults;
 mod fit;
 mod name;
+mod origin;
 mod prepare;
 mod samples;
 mod subject;
 mod surroundings;
 
+pub use command::{Command, Commands};
 pub use error::CaseError;
 pub use faults::Faults;
 pub use name::hash;
+pub use origin::Origin;
 pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
 pub use subject::{ChromaticSubject, ClosedForm, Exact, FreePathSubject, TransmittanceSubject};

@@ -13,6 +13,9 @@ use freepath_harness::results::TestResult;
 /// Most notes and tests that are shown of one subject.
 const MOST: usize = 60;
 
+/// Most lines of a program's standard error that are shown.
+const MOST_LINES: usize = 1000;
+
 /// The section of a subject.
 pub(crate) struct SubjectView {
     pub(crate) letter: Letter,
@@ -28,6 +31,7 @@ pub(crate) struct SubjectView {
     pub(crate) parameters: String,
     pub(crate) tests: Vec<TestRow>,
     pub(crate) repro: String,
+    pub(crate) log: Vec<String>,
     pub(crate) figures: Vec<FigureView>,
 }
 
@@ -61,6 +65,7 @@ impl SubjectView {
             parameters: clean(&result.parameters.to_string(), 600),
             tests: result.tests.iter().take(MOST).map(test).collect(),
             repro: clean(&result.repro, 1000),
+            log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
             figures: FigureView::all(figures)?,
         })
     }
