@@ -70,17 +70,14 @@ fn every_table(argv: &[&str]) {
         for name in ["delta_tracking_c", "delta_tracking_cpp"] {
             drop(std::fs::copy(folder.join("target").join(name), folder.join("adapters/examples").join(name)));
         }
-        std::fs::copy(
-            root().join("cases/data/head_anat_25x41x33_f32.npy"),
-            folder.join("adapters/examples/head.npy"),
-        )
-        .unwrap();
+        let volume = root().join("cases/data/head_epi_24x96x128_u16.npy");
+        std::fs::copy(volume, folder.join("adapters/examples/head.npy")).unwrap();
         let command = serde_json::json!({ "argv": argv });
         let case = format!(
             r#"{{ "title": "table {i}", "medium": {medium}, "draws": 60000,
                  "subjects": [ {{ "free_path": {{ "command": {command} }} }}, {{ "transmittance": {{ "command": {command} }} }} ] }}"#
         );
-        put(&folder, &format!("adapters/examples/tables/../table_{i}.json"), &case);
+        put(&folder, &format!("adapters/examples/table_{i}.json"), &case);
     }
     let cases: Vec<String> = (0..media.len()).map(|i| format!("adapters/examples/table_{i}.json")).collect();
     let mut args: Vec<&str> = vec!["run", "--allow-commands", "--json"];
