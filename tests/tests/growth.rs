@@ -79,8 +79,8 @@ fn a_bound_beyond_the_budget_is_inconclusive() {
     }
 }
 
-/// A bias that stage 1 at its few draws cannot see: steps that are a little too long, and look-ups that are off by
-/// a little.
+/// A bias that stage 1 at its few draws cannot see: steps that are a little too long, look-ups that are off by a
+/// little, and distances that are all a little too long.
 const WRONG: [(&str, &str, Reason); 3] = [
     (r#""transmittance": { "ray_marching": { "rule": "stratified", "steps": 80 } }"#, "2e-4", Reason::Biased),
     (
@@ -89,7 +89,7 @@ const WRONG: [(&str, &str, Reason); 3] = [
         Reason::Biased,
     ),
     (
-        r#""free_path": { "delta_tracking": {} }, "fault": { "shifted_lookup": { "by": 0.002 } }"#,
+        r#""free_path": { "delta_tracking": {} }, "fault": { "direction_length": { "length": 1.002 } }"#,
         "2e-3",
         Reason::WrongLaw,
     ),

@@ -65,7 +65,9 @@ fn every_command_runs() {
         };
         let variables: Vec<_> = variables.split_whitespace().map(|set| set.split_once('=').unwrap()).collect();
         let done = freepath(&arguments(rest, "readme"), &variables);
-        assert!(done.status.success(), "{line}: {}", String::from_utf8_lossy(&done.stderr));
+        // With fewer draws not every planted fault is seen: that something is not as expected is no error here.
+        let sound = matches!(done.status.code(), Some(0 | 1 | 4));
+        assert!(sound, "{line}: {}", String::from_utf8_lossy(&done.stderr));
         runs += 1;
     }
     assert!(runs >= 5, "only {runs} commands were found");
@@ -135,7 +137,9 @@ fn every_test_check_and_reason_has_a_section_and_every_section_is_of_one() {
     let known: BTreeSet<&str> = named.chain(Reason::ALL.iter().map(|reason| reason.code())).collect();
     let page = text("docs/statistics.md");
     let headings = page.lines().filter_map(|line| line.strip_prefix("### "));
-    let told: BTreeSet<&str> = headings.flat_map(|heading| heading.split('`').skip(1).step_by(2)).collect();
+    let all: Vec<&str> = headings.flat_map(|heading| heading.split('`').skip(1).step_by(2)).collect();
+    let told: BTreeSet<&str> = all.iter().copied().collect();
+    assert_eq!(told.len(), all.len(), "a name has two sections: {all:?}");
     assert_eq!(known.difference(&told).collect::<Vec<_>>(), [] as [&&str; 0], "not in docs/statistics.md");
     assert_eq!(told.difference(&known).collect::<Vec<_>>(), [] as [&&str; 0], "nobody knows these");
 }
@@ -147,7 +151,7 @@ fn every_control_is_in_the_power_table() {
         let path = case.unwrap().path();
         let prepared = CaseFile::load(&path).and_then(|case| case.prepare(&Limits::default())).unwrap();
         for subject in prepared.iter().flat_map(|case| &case.subjects) {
-            let row = format!("| {}: {} |", subject.kind(), subject.name);
+            let row = format!("| {}: {} |", subject.kind(), subject.name.replace('|', "\\|"));
             assert!(table.contains(&row), "docs/power.md has no row of {} in {}", subject.name, path.display());
         }
     }
@@ -155,11 +159,13 @@ fn every_control_is_in_the_power_table() {
 
 #[test]
 fn every_link_leads_somewhere() {
-    for file in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
-        let page = text(file);
-        let links = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap_or(""));
+    let pages =
+        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/faults.md", "docs/power.md", "docs/statistics.md"];
+    for file in pages {
+        let (page, path) = (text(file), root().join(file));
+        let links = page.split("](").skip(1).map(|rest| rest.split([')', '#']).next().unwrap_or(""));
         for link in links.filter(|link| !link.starts_with("http") && !link.starts_with("reports/gallery/")) {
-            assert!(root().join(link).exists(), "{file} links to {link}");
+            assert!(path.parent().unwrap().join(link).exists(), "{file} links to {link}");
         }
     }
 }

@@ -19,7 +19,8 @@ pub struct FreePathClaims<'a> {
     pub continuous: bool,
     /// The largest error of its law falls like this power of the step length.
     pub order: Option<f64>,
-    /// It draws in whatever medium it is given, so also in a part of the ray: not so if it carries a scene of its own.
+    /// It draws in whatever medium it is given, so also in a part of the ray. Not tested of a sampler that never looks mu up,
+    /// which may carry a scene of its own.
     pub parts: bool,
 }
 

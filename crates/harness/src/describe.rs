@@ -31,8 +31,9 @@ mod guard {
         let known: Vec<&str> = NAMES.iter().chain(CHECKS).map(|(name, _)| *name).collect();
         let missing: Vec<_> = known.iter().filter(|name| details(name).is_none()).collect();
         assert!(missing.is_empty(), "no details of {missing:?}");
-        let told = tests::DETAILS.iter().chain(checks::DETAILS).map(|(name, _)| name);
-        let unknown: Vec<_> = told.filter(|name| !known.contains(name)).collect();
+        let told: Vec<&str> = tests::DETAILS.iter().chain(checks::DETAILS).map(|(name, _)| *name).collect();
+        assert_eq!(told.len(), known.len(), "a name is told twice: {told:?}");
+        let unknown: Vec<_> = told.iter().filter(|name| !known.contains(name)).collect();
         assert!(unknown.is_empty(), "details of {unknown:?}, which nobody knows");
         assert!(Reason::ALL.iter().all(|reason| !advice(*reason).is_empty()));
     }

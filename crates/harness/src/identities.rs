@@ -15,7 +15,7 @@
 //! | `identity_counts` | one tentative collision for each real one where every one is real |
 //! | `identity_pdf` | the density that a sampler returns is that of its claims |
 //!
-//! Cost: some 2,000 draws, and some 1,000 evaluations of the medium.
+//! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
 
 use crate::evidence::Fact;
 use crate::plan::Plan;

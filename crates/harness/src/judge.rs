@@ -1,5 +1,6 @@
 //! From what was collected to evidence: every claim that stands is put to its tests.
 
+use crate::audit::Audit;
 use crate::collect::{Collected, Joint};
 use crate::evidence::{Evidence, Fact, Null};
 use crate::law::Law;
@@ -159,16 +160,26 @@ impl Judged {
     fn joint(&mut self, plan: &LawPlan, seen: &Joint) {
         self.evidence.extend(seen.nulls.as_ref().map(test::null_positions));
         if let Some(cells) = &seen.series {
-            let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
-            self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
-            self.fact("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws"));
-            self.fact("audit", seen.beyond, Reason::OutOfSupport, &outside("look-ups"));
-            self.evidence.push(test::series(&plan.truth, cells, plan.reason));
+            self.series(plan, cells, &seen.audit);
         }
         if let Some(marks) = &seen.marks {
             self.fact("finite", marks.spoilt, Reason::NonFinite, "marks do not lie in [0, 1)");
             self.evidence.push(test::mark(marks));
         }
+    }
+
+    /// A ray in two parts; a sampler that never looks mu up may carry a scene of its own, which has no parts.
+    fn series(&mut self, plan: &LawPlan, cells: &CellTally, audit: &Audit) {
+        if audit.lookups == 0 {
+            let why = "the sampler never looks mu up: it may not heed the medium that it is given";
+            self.evidence.push(Evidence::withheld("series", f64::NAN, plan.reason, why));
+            return;
+        }
+        let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
+        self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
+        self.fact("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws"));
+        self.fact("audit", audit.outside, Reason::OutOfSupport, &outside("look-ups"));
+        self.evidence.push(test::series(&plan.truth, cells, plan.reason));
     }
 
     /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.

@@ -8,7 +8,7 @@ use freepath_estimators::random::uniform;
 use freepath_harness::special::ks_two_sided;
 
 /// Points below which there may be too many or too few.
-const POINTS: usize = 48;
+const POINTS: usize = 160;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let row = |n: usize| {

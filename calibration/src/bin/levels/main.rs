@@ -7,10 +7,13 @@
 //! cargo run --release -p freepath-calibration --bin levels > docs/levels.md
 //! ```
 
+mod exposure;
 mod kolmogorov;
 mod lag;
 mod lookups;
 mod means;
+mod neyman;
+mod pairs;
 mod pearson;
 mod second_moment;
 mod table;
@@ -26,7 +29,7 @@ pub(crate) const LEVELS: [f64; 3] = [1e-3, 1e-5, 1e-7];
 #[derive(Parser)]
 struct Args {
     /// Replicates for each figure.
-    #[arg(long, default_value_t = 40_000)]
+    #[arg(long, default_value_t = 16_384)]
     replicates: u64,
     /// The seed of all replicates.
     #[arg(long, default_value_t = 1)]
@@ -45,12 +48,15 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 6] = [
+const TESTS: [(&str, Measure); 9] = [
     ("chi_square", pearson::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
     ("lookups", lookups::rows),
     ("lag", lag::rows),
+    ("pairs", pairs::rows),
+    ("neyman", neyman::rows),
+    ("exposure", exposure::rows),
     ("kolmogorov", kolmogorov::rows),
 ];
 

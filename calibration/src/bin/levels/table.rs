@@ -68,12 +68,14 @@ A run holds some 1,500 p-values, so that Holm reads them near 1e-7. A p-value fr
 shown to be. Each figure below is the measured probability of a p-value at or below a level, over that level: 1 is perfect, 2 is
 twice as many false alarms as promised, 0 is a test that never rejects. The error is one standard error.
 
-`used` says whether the gates of the harness let such draws in. Rows that are not used show what the gate keeps out. Settings that
-are used stand at the edge of their gate, where the level is worst.
+`used` says whether the gates of the harness let such draws in. Rows that are not used show what the gate keeps out. Most settings that
+are used stand at the edge of their gate, where the level is worst. Gates of skewness and of variance look at the draws too: at their
+edge they withhold many p-values, among them most of the small ones, and the figure falls below 1.
 
 Far tails are measured by importance sampling with exact likelihood ratios: counts in cells with Dirichlet probabilities, so that
 the statistic has its mean where the tail begins; draws of a law on finitely many points with mass leaning as exp(a y + b y^2) to
 where the self-normalised mean first reaches the tail (Shao 1997); chains of draws with neighbours that attract or repel each
 other; uniform draws with too many below one of many points. Binomial, Clopper-Pearson, Poisson and empirical Bernstein p-values are
-exact or bounds, and are not here.
+exact or bounds, and are not here. Sums of squares lean towards one direction each, drawn at random; tables of neighbours are chains
+with Dirichlet rows.
 ";

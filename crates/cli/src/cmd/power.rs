@@ -49,6 +49,8 @@ expected; a test then takes twice as many fresh draws in stage 2, a fact none. `
 reason or, of the tests that reject in both stages, that of the least p-value. A fault counts as caught if it would be
 caught in a run of 10,000 p-values that holds no other fault, which is harder than in any run of the shipped cases.
 
+[faults.md](faults.md) tells where each fault was found.
+
 In rows that hide their fault no p-value fails the subject at full effort, though Holm spans its own p-values alone; `least p` is
 the least of stage 1, before Holm. `seen by` tells what fails it all the same, without a p-value.
 ";

@@ -7,4 +7,5 @@ mod power;
 mod reference;
 mod samples;
 mod signals;
+mod soak;
 mod support;

@@ -1,3 +1,4 @@
+use crate::audit::Audit;
 use crate::plan::{LawPlan, Plan};
 use crate::sample::sample_in_parts;
 use crate::subject::Subject;
@@ -15,8 +16,8 @@ pub struct Joint {
     pub nulls: Option<NullTally>,
     /// Free paths of the ray in two parts, by cell.
     pub series: Option<CellTally>,
-    /// Look-ups beyond their part of the ray.
-    pub beyond: u64,
+    /// Look-ups in the two parts.
+    pub audit: Audit,
     /// Marks by group of distance.
     pub marks: Option<MarkTally>,
 }
@@ -27,7 +28,7 @@ impl Joint {
         Self {
             nulls: law.filter(|law| law.coleman && plan.bounded).map(|law| NullTally::new(&law.truth)),
             series: law.filter(|law| law.cut.is_some()).map(|law| CellTally::new(&law.truth)),
-            beyond: 0,
+            audit: Audit::default(),
             marks: law.filter(|law| law.marked).map(|_| MarkTally::default()),
         }
     }
@@ -60,7 +61,7 @@ impl Joint {
             let key = Key { subject: key.subject ^ IN_PARTS, ..key };
             let audit = sample_in_parts(subject, cut, key, &mut draws.t)?;
             series.observe(&law.truth, &draws.t, index);
-            self.beyond += audit.outside;
+            self.audit = self.audit.plus(audit);
         }
         Ok(())
     }
@@ -81,6 +82,6 @@ impl Joint {
         if let (Some(a), Some(b)) = (&mut self.marks, &other.marks) {
             a.merge(b);
         }
-        self.beyond += other.beyond;
+        self.audit = self.audit.plus(other.audit);
     }
 }

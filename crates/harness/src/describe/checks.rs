@@ -17,13 +17,13 @@ subject can clamp it: a majorant 0.1 % short shows in a few dozen look-ups, wher
     (
         "scripted",
         "\
-Each word stands at each of the first eight positions of a real stream, and alone or in turn with another for ever, through the
-scalar and the block method. A medium of optical depth 1000, where nobody escapes, brings out -ln(0) for a step.
+Each word stands at each of the first eight positions of a real stream, and alone or in turn with another at the first 64,
+through the scalar and the block method. A medium of optical depth 1000, where nobody escapes, brings out -ln(0) for a step.
 Gives non_finite, out_of_support or subject_error. Some 3,000 draws for each method; a uniform of exactly 0 comes once in
 2^53 draws otherwise.",
     ),
-    ("identity_reproducible", "Gives not_reproducible. Two draws of a block of 256 rows, and four at once on threads of their own, by both methods."),
-    ("identity_history", "Gives not_reproducible. 64 draws, each from a stream of its own, in both orders: state of a finished walk must not leak."),
+    ("identity_reproducible", "Gives not_reproducible. Two draws of a block of 64 rows, and four at once on threads of their own, by both methods."),
+    ("identity_history", "Gives not_reproducible. 24 draws, each from a stream of its own, in both orders: state of a finished walk must not leak."),
     (
         "identity_streams",
         "\

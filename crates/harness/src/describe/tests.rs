@@ -5,15 +5,27 @@ pub(super) const DETAILS: &[(&str, &str)] = &[
     ("chi_square_64", CHI_SQUARE),
     ("chi_square_fine", CHI_SQUARE),
     ("kolmogorov", KOLMOGOROV),
+    ("berk_jones", BERK_JONES),
+    ("exposure", EXPOSURE),
+    ("neyman_16", NEYMAN),
     ("anderson_darling", ANDERSON_DARLING),
     ("cramer_von_mises", CRAMER_VON_MISES),
     ("kuiper", KUIPER),
     ("coleman", COLEMAN),
+    ("null_positions", NULL_POSITIONS),
+    ("series", SERIES),
     ("poisson_count", POISSON_COUNT),
     ("ties", TIES),
     ("lag_1", LAG),
+    ("lag_2_to_8", LAGS),
+    ("pairs_16", PAIRS),
+    ("mark", MARK),
     ("mean", MEAN),
     ("growth", GROWTH),
+    ("agree_majorant", AGREE),
+    ("agree_segments", AGREE),
+    ("agree_grid", AGREE),
+    ("agree_reversed", AGREE),
     ("second_moment", SECOND_MOMENT),
     ("lookups", LOOKUPS),
     ("pdf_integral", PDF_INTEGRAL),
@@ -142,9 +154,84 @@ p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
 Gate:    20 blocks, and a variance of the total of 400 squared costs.
 Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.";
 
+const AGREE: &str = "\
+```text
+mean:   T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m); hypergeometric for 0/1, given all ones
+law:    X = sum (a_i / a - b_i / b)^2 a b / (a_i + b_i) over cells of collided draws, and the escapes: twice the smaller p
+```
+Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
+         where the range is known; else no p-value. Cells hold 128 draws of both together.
+Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
+Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
+
 const PDF_INTEGRAL: &str = "\
 ```text
 int_0^length pdf + P(surface) = 1, to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.";
+
+const BERK_JONES: &str = "\
+```text
+R = max m KL(F_m || u),   KL(a || u) = a ln(a / u) + (1 - a) ln((1 - a) / (1 - u)),   u = F(t) / F(length)
+```
+Over the 512 smallest and 512 largest distances, and the edges of the fine cells between.
+Gate:    100 collisions, a law without atoms. p by simulated quantiles down to 1e-3, by a proven bound beyond: never too small.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
+Source:  Berk and Jones (1979).";
+
+const EXPOSURE: &str = "\
+```text
+Z = (m - sum tau_i) / (sd sqrt n),   tau_i the optical depth that draw i travelled;   m / sum tau_i estimates the factor
+```
+Gate:    1e5 expected collisions.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    an extinction that is off by one factor everywhere, before any other test: the optimal score.
+Source:  tail by Pearson's type III law (1895) with the exact skewness.";
+
+const NEYMAN: &str = "\
+```text
+N = sum_(j <= 16) S_j^2,   S_j = sum_i sqrt(2 j + 1) P_j(2 u_i - 1) / sqrt(m),   dof = 16
+```
+Gate:    10,000 collisions.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    smooth errors, and errors at the ends; the note names the largest component.
+Source:  Neyman (1937).";
+
+const NULL_POSITIONS: &str = "\
+```text
+X = sum_j (m_j - sum p_i)^2 / sum p_i (1 - p_i),   p_i = mu(t_i) / mu_bar(t_i) at look-up i in group j
+```
+Gate:    neighbouring groups are joined until the variance of each is 50, or 800 over their number.
+Rejects: as wrong_law: an acceptance that does not use mu / mu_bar at the very place of the look-up.
+Source:  each acceptance is a coin of known probability, whatever came before: a martingale.";
+
+const SERIES: &str = "\
+```text
+T(0, d) = T(0, s) T(s, d):   p = min(1, 2 min(p of the atom, p of 16 cells))
+```
+Gate:    as atom and chi_square_16.
+Rejects: as wrong_law: a uniform or a state that is used again across a boundary, where each part alone is exact.";
+
+const LAGS: &str = "\
+```text
+X = sum_(h = 2..8) Z_h^2,   dof = 7,   Z_h as in lag_1 at a distance of h draws
+```
+Gate:    1000 pairs, and a skewness of each Z_h of at most 0.03.
+Rejects: as dependent: a repeat of any period up to 8; the note names the worst.";
+
+const PAIRS: &str = "\
+```text
+X = sum (O_ab - R_a C_b / N)^2 / (R_a C_b / N),   dof = (k - 1)^2,   R, C the sums of rows and columns
+```
+Gate:    neighbouring groups are joined until each cell expects 50 pairs, or more if there are few.
+Rejects: as dependent: dependence that leaves no correlation, such as a reused uniform that was folded.
+Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep the chi-square law.";
+
+const MARK: &str = "\
+```text
+X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 rows,   R_a draws in group a of the distance
+```
+Gate:    groups of the distance are joined until each cell expects 50 draws, or more if there are few.
+Rejects: as dependent: a direction and a flight from one random number, each right by itself.";

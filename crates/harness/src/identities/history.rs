@@ -11,7 +11,7 @@ backwards, from a fresh subject and from a used one.",
 );
 
 /// Draws, each from a stream of its own.
-const DRAWS: u64 = 64;
+const DRAWS: u64 = 24;
 
 /// The same draws in another order are the same draws: state of a finished history must not leak into the next.
 pub(super) fn fact(subject: &Subject, seed: u64) -> Option<Fact> {

@@ -19,7 +19,7 @@ pub(crate) const STREAMS: (&str, &str) = (
 );
 
 /// Draws of a block.
-const ROWS: usize = 256;
+const ROWS: usize = 64;
 
 /// Threads at once.
 const THREADS: u64 = 4;

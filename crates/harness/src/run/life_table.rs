@@ -38,6 +38,7 @@ pub(super) fn worst(table: &LifeTable) -> Option<String> {
     let (start, end) = (table.edges[i].0, table.edges[i + 1].0);
     let (seen, expected, p) = (table.collisions[i] as f64, table.expected[i].0, table.p[i].0);
     let much = match seen / expected - 1.0 {
+        more if more > 2.0 && more.is_finite() => format!("{:.1} times as many as expected", 1.0 + more),
         more if more.is_finite() => {
             format!("{:.2} % too {}", 100.0 * more.abs(), if more > 0.0 { "many" } else { "few" })
         }

@@ -1,7 +1,6 @@
-use super::chi_square::least_expected;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
-use crate::tally::LagTally;
+use crate::tally::{LagTally, RANK_GROUPS};
 use crate::verdict::Reason;
 
 pub(super) const WORDS: &str = "A table of neighbouring draws, 16 x 16 groups of equal probability under the law with escapes: rows and \
@@ -16,7 +15,7 @@ columns are independent. It sees dependence that leaves no correlation, such as 
 /// R and C are the sums of rows and columns, so that a wrong law is not called dependent. Overlapping pairs depend on one
 /// another, but their interactions with both margins taken out do not correlate: this is the test of order 0 against order 1
 /// of a chain (Bartlett 1951; Anderson and Goodman 1957), what Good's serial statistic psi^2_2 - psi^2_1 (1953) becomes when
-/// the margins are not given. Neighbouring groups are joined until every cell expects enough: a choice by margins alone, given
+/// the margins are not given. Neighbouring groups are joined until every cell expects 50, or 200 where there are fewer than 16 groups: a choice by margins alone, given
 /// which the test is made.
 #[must_use]
 pub fn pairs(tally: &LagTally) -> Evidence {
@@ -24,9 +23,9 @@ pub fn pairs(tally: &LagTally) -> Evidence {
     let total: u64 = tally.neighbours.as_flattened().iter().sum();
     let tables = [50.0, 100.0, 200.0, 400.0].map(|least| joined(tally, (least * total as f64).sqrt()));
     let enough = |table: &Vec<Vec<f64>>| {
-        let (k, least) = (table.len(), least_expected(table.len() * table.len()));
+        let (k, least) = (table.len(), if table.len() < RANK_GROUPS { 200.0 } else { 50.0 });
         let expected = margins(table).0.into_iter().fold(f64::INFINITY, |a, b| if b < a { b } else { a });
-        k >= 2 && expected * expected >= least * total as f64
+        k >= 2 && total > 0 && expected * expected >= least * total as f64
     };
     let Some(table) = tables.into_iter().find(enough) else {
         let why = "fewer than two groups of draws are large enough for a table of pairs";

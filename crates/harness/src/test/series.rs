@@ -5,7 +5,7 @@ use crate::tally::CellTally;
 use crate::verdict::Reason;
 
 pub(super) const WORDS: &str = "The ray cut in two: a draw that escapes the first part goes on in the second with the same generator, and \
-the whole distance follows the whole law. State or a uniform that is used again across the boundary shows here alone.";
+the whole distance follows the whole law. State or a uniform that is used again across the boundary shows here alone. Not asked of a sampler that never looks mu up.";
 
 /// The law of a ray in two parts, T(0, d) = T(0, s) T(s, d), by the escape atom and 16 cells.
 ///
