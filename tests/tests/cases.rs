@@ -15,7 +15,8 @@ fn every_shipped_case_is_as_expected() {
 
 #[test]
 fn every_name_is_in_a_case() {
-    let text: String = case_paths("cases").iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
+    let paths = [case_paths("cases"), case_paths("adapters/examples")].concat();
+    let text: String = paths.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let subjects =
         FreePathSubject::names().iter().chain(TransmittanceSubject::names()).chain(ChromaticSubject::names());

@@ -26,6 +26,31 @@ fn built(name: &str, link: &[&str]) -> PathBuf {
     program
 }
 
+/// The commands of the README, with the libraries of this test in the place of those of a release.
+#[test]
+fn the_commands_of_the_readme_build_and_run_the_example() {
+    if Command::new("c++").arg("--version").output().is_err() {
+        eprintln!(
+            "LEFT OUT: the README's C interface was not tried, there is no `c++` (install a C++17 compiler, such as g++)"
+        );
+        return;
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let fences = readme.split("```bash\n").skip(1).map(|rest| rest.split("```").next().unwrap());
+    let fence = fences.into_iter().find(|fence| fence.contains("freepath-capi")).unwrap();
+    let (first, rest) = fence.split_once('\n').unwrap();
+    assert_eq!(first, "cargo build --release -p freepath-capi", "cargo has built the library for this test");
+    let library = libraries().join("libfreepath.a").display().to_string();
+    let program = Path::new(env!("CARGO_TARGET_TMPDIR")).join("of_the_readme").display().to_string();
+    let commands = rest.replace("target/release/libfreepath.a", &library);
+    let commands = commands.replace("target/delta_tracking", &program);
+    let ran = Command::new("sh").args(["-e", "-c", &commands]).current_dir(&root).output().unwrap();
+    let text = String::from_utf8_lossy(&ran.stdout);
+    assert!(ran.status.success(), "{text}{}", String::from_utf8_lossy(&ran.stderr));
+    assert_eq!(text.matches("ok ").count(), 3, "{text}");
+}
+
 #[test]
 fn the_example_in_cpp_judges_with_the_static_and_the_shared_library() {
     if Command::new("c++").arg("--version").output().is_err() {

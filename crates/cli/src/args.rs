@@ -97,6 +97,12 @@ pub(crate) struct Sampling {
     /// Let cases name files outside their own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,
+    /// Let cases start programs, which can do whatever you can.
+    #[arg(long)]
+    pub(crate) allow_commands: bool,
+    /// Kill a program after so much silence, or ten times as much in all [default: the case's, else 60].
+    #[arg(long, value_name = "SECONDS", value_parser = number::seconds, requires = "allow_commands")]
+    pub(crate) timeout: Option<f64>,
 }
 
 /// Where the results of a run go, and how fast.

@@ -2,6 +2,7 @@
 
 use freepath_harness::case::MOST_DRAWS;
 use freepath_harness::microscope::MOST_POINTS;
+use freepath_harness::program::IDLE_RANGE;
 
 /// Most worker threads.
 const MOST_JOBS: usize = 1024;
@@ -20,6 +21,13 @@ fn from_float(text: &str) -> Option<u64> {
     let x: f64 = text.parse().ok()?;
     let whole = x >= 1.0 && x <= MOST_DRAWS as f64 && x.fract() == 0.0;
     whole.then_some(x as u64)
+}
+
+/// The idle limit of a program.
+pub(crate) fn seconds(text: &str) -> Result<f64, String> {
+    let (least, most) = IDLE_RANGE;
+    let seconds = text.parse().ok().filter(|s: &f64| *s >= least && *s <= most);
+    seconds.ok_or_else(|| format!("must be a number of seconds from {least} to {most}"))
 }
 
 /// Points of a net.

@@ -5,7 +5,7 @@ use crate::progress::Bar;
 use crate::trouble::Trouble;
 use crate::{cases, files, filter, program, signal};
 use freepath_estimators::simd;
-use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, Options, quoted};
 use std::io::{IsTerminal, stderr};
 use std::path::{Path, PathBuf};
@@ -64,6 +64,7 @@ pub(crate) fn prepared(
             _ => 1.0,
         },
         allow_paths: args.allow_paths,
+        commands: if args.allow_commands { Commands::Started(args.timeout) } else { Commands::Refused },
     };
     let color = color.colors(stderr().is_terminal());
     let cases = cases::prepare(&cases::find(paths, out)?, &limits, color)?;
@@ -79,7 +80,13 @@ pub(crate) fn repro(verb: &str, paths: &[PathBuf], args: &Sampling) -> String {
     words.extend(paths.iter().map(|path| quoted(&path.display().to_string())));
     words.push(format!("--seed {}", args.seed));
     words.extend(args.draws.map(|draws| format!("--draws {draws}")));
-    let flags = [(args.quick, "--quick"), (args.thorough, "--thorough"), (args.allow_paths, "--allow-paths")];
+    let flags = [
+        (args.quick, "--quick"),
+        (args.thorough, "--thorough"),
+        (args.allow_paths, "--allow-paths"),
+        (args.allow_commands, "--allow-commands"),
+    ];
     words.extend(flags.iter().filter(|(set, _)| *set).map(|(_, flag)| (*flag).to_string()));
+    words.extend(args.timeout.map(|seconds| format!("--timeout {seconds}")));
     words.join(" ")
 }

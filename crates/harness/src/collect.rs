@@ -19,6 +19,7 @@ mod joint;
 mod samples;
 
 pub use joint::Joint;
+pub(crate) use samples::rehearse;
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;

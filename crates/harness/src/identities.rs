@@ -27,7 +27,7 @@ mod density;
 mod history;
 mod medium;
 mod rays;
-mod reproducible;
+pub(crate) mod reproducible;
 mod roulette;
 mod rows;
 mod zero_variance;

@@ -43,6 +43,7 @@ pub mod microscope;
 pub mod noiseless;
 pub mod plan;
 pub mod power;
+pub mod program;
 pub mod ranking;
 pub mod real;
 pub mod results;

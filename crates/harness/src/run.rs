@@ -1,7 +1,7 @@
 //! A run: every subject through stage 1, the suspects through stage 2, one decision over all, results.
 
-use crate::case::{Prepared, PreparedSubject};
-use crate::collect::{Collected, Stopped, Watch, collect};
+use crate::case::{Origin, Prepared, PreparedSubject};
+use crate::collect::{Collected, Stopped, Watch, collect, rehearse};
 use crate::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
 use crate::evidence::REPORTING_LEVEL;
 use crate::judge::{Judged, judge};
@@ -25,6 +25,7 @@ mod series;
 mod subjects;
 
 pub use expect::expected;
+pub(crate) use grow::stage_of;
 pub use media::medium_result;
 pub use subjects::{id, quoted};
 
@@ -115,14 +116,16 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        let draws = if prepared.source.is_some() { prepared.draws } else { whole(prepared.draws) };
+        let file = prepared.source.as_ref().and_then(Origin::file);
+        let draws = if file.is_some() { prepared.draws } else { whole(prepared.draws) };
         (options.progress)(Progress::Planned(prepared.settings() * draws), &prepared.name);
     }
 }
 
 fn plan_stage_two(trial: &Trial, options: &Options) {
-    let file = trial.prepared.source.as_ref().map(|source| source.rows() - source.first_rows());
-    let draws = file.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
+    let file = trial.prepared.source.as_ref().and_then(Origin::file);
+    let left = file.map(|file| file.rows() - file.first_rows());
+    let draws = left.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
     (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
 }
 
@@ -181,8 +184,12 @@ fn first_stage(
     name: &str,
 ) -> Result<(Stage1, f64), Cancelled> {
     let blocks = Subject::blocks(subject.draws);
-    let collected = match collect(subject, plan, options.seed, 0..blocks, watch) {
-        Ok(collected) => collected,
+    let rehearsed = rehearse(subject, options.seed, watch);
+    let drawn = rehearsed.and_then(|facts| {
+        collect(subject, plan, options.seed, 0..blocks, watch).map(|collected| (collected, facts))
+    });
+    let (collected, facts) = match drawn {
+        Ok(drawn) => drawn,
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => {
             let judged = Judged::broken(why);
@@ -190,6 +197,7 @@ fn first_stage(
         }
     };
     let mut judged = judge(subject, plan, &collected);
+    judged.facts.extend(facts);
     judged.facts.extend(noiseless::facts(subject, plan, options.seed));
     let growth = grow::Growth {
         seed: options.seed,
@@ -246,6 +254,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         id: result.id.clone(),
         seconds: Real(trial.seconds),
         draws: result.draws,
+        log: trial.prepared.source.as_ref().map(Origin::log).unwrap_or_default(),
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
     let rankings = efficiency::rankings(trials, &results);

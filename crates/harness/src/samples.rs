@@ -1,7 +1,9 @@
 //! Draws that are made elsewhere: a finished file, a pipe, or a program that is started for each stage.
 
+use crate::evidence::Fact;
 use freepath_estimators::Draws;
 use std::ops::Range;
+use std::sync::atomic::AtomicBool;
 
 /// What the rows of a source say, and so which columns of [`Draws`] they fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,14 +19,16 @@ pub enum SampleKind {
 }
 
 /// The rows that a stage asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wanted {
+#[derive(Clone, Debug)]
+pub struct Wanted<'a> {
     /// The seed of the run.
     pub seed: u64,
     /// The subject's part of every key.
     pub subject: u64,
     /// Which blocks: those of stage 1 begin with 0, and no two stages share one.
     pub blocks: Range<u64>,
+    /// Set to cancel.
+    pub cancelled: &'a AtomicBool,
 }
 
 /// Where draws come from that no subject of this process makes. Nothing is known of their look-ups.
@@ -33,11 +37,19 @@ pub trait SampleSource: Send + Sync {
     ///
     /// # Errors
     /// Why there are none, in words that repeat nothing of a file's content: the subject fails as `subject_error`.
-    fn open<'a>(&'a self, wanted: &Wanted) -> Result<Box<dyn Rows + 'a>, String>;
+    fn open<'a>(&'a self, wanted: &Wanted<'a>) -> Result<Box<dyn Rows + 'a>, String>;
 
     /// Whether every draw is made already: then both stages are read, whatever the first one gives, so that all draws are
     /// judged.
     fn finished(&self) -> bool;
+
+    /// What a few draws tell before any stage, without statistics. Provided: nothing.
+    ///
+    /// # Errors
+    /// Why there are none, in words.
+    fn rehearse(&self, _wanted: &Wanted) -> Result<Vec<Fact>, String> {
+        Ok(Vec::new())
+    }
 }
 
 /// The rows of one stage, in drawing order.

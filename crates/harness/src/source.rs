@@ -28,8 +28,7 @@ impl SourceError {
 
 impl fmt::Display for SourceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Refusal { cause, allowed } = &self.refusal;
-        write!(f, "cannot read {}: {cause} ({allowed})", self.file.display())
+        write!(f, "cannot read {}: {}", self.file.display(), self.refusal)
     }
 }
 
@@ -37,15 +36,21 @@ impl std::error::Error for SourceError {}
 
 /// Why some bytes cannot be used, before it is known which file they are from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Refusal {
+pub(crate) struct Refusal {
     cause: String,
     allowed: String,
 }
 
 impl Refusal {
-    fn new(cause: impl Into<String>, allowed: impl Into<String>) -> Self {
+    pub(crate) fn new(cause: impl Into<String>, allowed: impl Into<String>) -> Self {
         let (cause, allowed) = (cause.into(), allowed.into());
         Self { cause, allowed }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.cause, self.allowed)
     }
 }
 

@@ -45,7 +45,7 @@ macro_rules! reasons {
 
 reasons! {
     /// The subject cannot be run.
-    SubjectError = "subject_error": "the subject stopped, panicked or ran past its budget",
+    SubjectError = "subject_error": "the subject stopped, panicked or ran past its budget; a program crashed, was silent, or wrote too little or too much",
     /// NaN or infinity.
     NonFinite = "non_finite": "draws are NaN or infinite: look for a logarithm of 0, a division by 0, or 0 / 0 in a weight",
     /// Outside the support.

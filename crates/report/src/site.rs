@@ -26,6 +26,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) result: &'a SubjectResult,
     /// Seconds for one draw, if timed.
     pub(crate) seconds: Option<f64>,
+    /// What it wrote to standard error, if it is a program.
+    pub(crate) log: &'a str,
     /// Index into [`Site::cases`].
     pub(crate) case: usize,
 }
@@ -50,7 +52,7 @@ impl<'a> Site<'a> {
     pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, beside: &'a Beside) -> Self {
         let mut slugs = Slugs::default();
         let mut cases: Vec<Case> = results.media.iter().take(MOST_SUBJECTS).map(|m| case(m, &mut slugs)).collect();
-        let seconds = per_draw(timings);
+        let (seconds, logs) = (per_draw(timings), logs(timings));
         let mut orphans = false;
         let mut subjects = vec![];
         for result in results.results.iter().take(MOST_SUBJECTS) {
@@ -66,6 +68,7 @@ impl<'a> Site<'a> {
                 name: clean(&result.subject, 80),
                 result,
                 seconds: seconds.get(result.id.as_str()).copied(),
+                log: logs.get(result.id.as_str()).copied().unwrap_or(""),
                 case: home,
             });
         }
@@ -98,6 +101,10 @@ fn case<'a>(medium: &'a MediumResult, slugs: &mut Slugs) -> Case<'a> {
 fn lost<'a>(slugs: &mut Slugs) -> Case<'a> {
     let title = "Medium not in the results".to_string();
     Case { id: slugs.take("c-", &title), title, medium: None, members: vec![] }
+}
+
+fn logs(timings: Option<&Timings>) -> HashMap<&str, &str> {
+    timings.iter().flat_map(|t| &t.subjects).map(|s| (s.id.as_str(), s.log.as_str())).collect()
 }
 
 fn per_draw(timings: Option<&Timings>) -> HashMap<&str, f64> {

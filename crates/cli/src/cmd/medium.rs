@@ -5,7 +5,7 @@ use crate::screen::{self, cell};
 use crate::trouble::Trouble;
 use crate::{cases, files};
 use freepath_estimators::Medium;
-use freepath_harness::case::{Limits, Prepared, World};
+use freepath_harness::case::{Commands, Limits, Prepared, World};
 use freepath_harness::results::MediumResult;
 use freepath_harness::run::medium_result;
 use std::fmt::Write;
@@ -13,7 +13,7 @@ use std::io::{IsTerminal, stderr};
 
 /// Prints a table for each medium and writes its plot.
 pub(crate) fn medium(args: &Args, color: When) -> Result<u8, Trouble> {
-    let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
+    let limits = Limits { allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let found = cases::find(&args.cases, &args.out)?;
     let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
     files::open(&args.out)?;

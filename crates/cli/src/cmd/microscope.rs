@@ -4,7 +4,7 @@ use crate::args::{Microscope, When};
 use crate::screen::{self, cell};
 use crate::trouble::Trouble;
 use crate::{cases, filter, program};
-use freepath_harness::case::{Limits, Prepared, PreparedSubject};
+use freepath_harness::case::{Commands, Limits, Prepared, PreparedSubject};
 use freepath_harness::microscope::{Focus, LEVEL, Sight, look};
 use freepath_harness::run::id;
 use std::io::{IsTerminal, stderr};
@@ -13,7 +13,7 @@ use std::path::Path;
 /// Prints what is seen of each subject.
 pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> {
     freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
-    let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
+    let limits = Limits { allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let found = cases::find(&args.paths, Path::new(""))?;
     let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
     let cases = match &args.filter {

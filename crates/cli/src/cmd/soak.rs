@@ -4,7 +4,7 @@ use crate::args::{Soak, When};
 use crate::progress::Bar;
 use crate::trouble::Trouble;
 use crate::{cases, files, filter, program, screen, signal};
-use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, quoted};
 use freepath_harness::soak::{self, Options, SoakResults};
 use std::io::{IsTerminal, stderr};
@@ -34,7 +34,7 @@ pub(crate) fn soak(args: &Soak, color: When) -> Result<u8, Trouble> {
 
 fn prepared(args: &Soak, color: bool) -> Result<Vec<Prepared>, Trouble> {
     let draws = if args.quick { args.draws } else { Some(args.draws.unwrap_or(DRAWS)) };
-    let limits = Limits { draws, allow_paths: args.allow_paths, ..Limits::default() };
+    let limits = Limits { draws, allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let cases = match args.quick {
         true => soak::quick(&limits).map_err(|why| Trouble::Unusable(vec![why.render(color)]))?,
         false => cases::prepare(&cases::find(&args.paths, &args.out)?, &limits, color)?,

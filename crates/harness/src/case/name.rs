@@ -1,8 +1,8 @@
 //! What a subject is called, and what it runs.
 
+use super::origin::Origin;
 use super::samples::Samples;
 use super::{ChromaticSubject, FreePathSubject, Subject, TransmittanceSubject};
-use crate::source::samples::SampleFile;
 use crate::subject::Work;
 use serde_json::Value;
 
@@ -27,13 +27,13 @@ impl Subject {
         }
     }
 
-    /// What is run; `source` is the open file of one that is a file of samples.
-    pub(super) fn work<'a>(&'a self, source: Option<&'a SampleFile>) -> Work<'a> {
+    /// What is run; `source` is where the draws of one come from that are made elsewhere.
+    pub(super) fn work<'a>(&'a self, source: Option<&'a Origin>) -> Work<'a> {
         use ChromaticSubject as C;
         use FreePathSubject as F;
         use TransmittanceSubject as T;
-        if let (Some(samples), Some(source)) = (self.samples(), source) {
-            return Work::Samples(samples.kind(), source);
+        if let Some(source) = source {
+            return source.work();
         }
         match (&self.free_path, &self.transmittance, &self.chromatic) {
             (Some(F::Listed(sampler)), ..) => Work::FreePath(&**sampler),
@@ -57,18 +57,26 @@ impl Subject {
     }
 }
 
-/// The leaves of a subject's JSON, in order; files without their folder.
+/// The leaves of a subject's JSON, in order; files and what programs are called with without their folder.
 fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
     match json {
         Value::Array(items) => items.iter().for_each(|item| collect_words(item, inside, words)),
         Value::Object(fields) => fields.iter().for_each(|(key, field)| match (key.as_str(), field) {
-            ("file", Value::String(file)) => words.push(file.rsplit(['/', '\\']).next().unwrap_or(file).into()),
+            ("file", Value::String(file)) => words.push(without_folder(file)),
+            ("argv", Value::Array(argv)) => {
+                words.extend(argv.iter().filter_map(Value::as_str).map(without_folder))
+            }
+            ("timeout", _) => {}
             _ => collect_words(field, true, words),
         }),
         Value::String(word) if inside && word != "restart" => words.push(word.clone()),
         Value::Number(number) if inside => words.push(number.to_string()),
         _ => {}
     }
+}
+
+fn without_folder(file: &str) -> String {
+    file.rsplit(['/', '\\']).next().unwrap_or(file).into()
 }
 
 /// FNV-1a (Fowler, Noll and Vo), 64 bits.

@@ -2,10 +2,9 @@
 
 use super::name::hash;
 use super::surroundings::{Place, Volumes};
-use super::{Case, CaseError, CaseFile, MOST_DRAWS, Subject};
+use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, Subject};
 use crate::agree::Variant;
 use crate::fault::Fault;
-use crate::source::samples::SampleFile;
 use crate::subject::{DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;
@@ -54,8 +53,8 @@ pub struct PreparedSubject {
     pub draws: u64,
     /// The other settings in which it must agree with itself.
     pub variants: Vec<Variant>,
-    /// The file, if it is one of samples.
-    pub source: Option<SampleFile>,
+    /// Where its draws come from, if they are made elsewhere.
+    pub source: Option<Origin>,
 }
 
 impl PreparedSubject {
@@ -85,17 +84,17 @@ impl PreparedSubject {
             (World::Chromatic(medium), ..) => Scene::Chromatic(medium),
         };
         let work = self.spec.work(self.source.as_ref());
-        let implied = |of: fn(&SampleFile) -> f64| self.source.as_ref().map_or(0.0, of);
-        let bits = self.source.as_ref().map_or(UNIFORM_BITS, SampleFile::resolution_bits);
+        let implied = self.source.as_ref().map_or(0.0, Origin::tolerance);
+        let bits = self.source.as_ref().map_or(UNIFORM_BITS, Origin::resolution_bits);
         crate::subject::Subject {
             key: self.key,
             draws: self.draws,
-            budget: match self.source {
+            budget: match self.source.as_ref().and_then(Origin::file) {
                 Some(_) => self.draws, // a file does not grow
                 None => self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
             },
             bias_bound: self.spec.bias_bound.or(case.bias_bound),
-            tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or_else(|| implied(SampleFile::tolerance)),
+            tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(implied),
             bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(bits),
             faults: &self.faults,
             without: &self.spec.without,
@@ -113,6 +112,8 @@ pub struct Limits {
     pub effort: f64,
     /// Files outside the case's folder may be read.
     pub allow_paths: bool,
+    /// What becomes of subjects that are programs.
+    pub commands: Commands,
 }
 
 impl CaseFile {
@@ -132,7 +133,13 @@ impl CaseFile {
         let case = Arc::new(self.case.clone());
         let one = |(number, ray): (Option<usize>, _)| {
             let folder = self.path.parent().unwrap_or(Path::new("."));
-            let place = Place { folder, ray, allow_paths: limits.allow_paths, volumes: &volumes };
+            let place = Place {
+                folder,
+                ray,
+                allow_paths: limits.allow_paths,
+                commands: limits.commands,
+                volumes: &volumes,
+            };
             let at = number.map_or("medium".into(), |i| format!("rays[{i}]"));
             let world = self.world(&place, &at)?;
             let subjects =
@@ -168,25 +175,20 @@ impl CaseFile {
     ) -> Result<PreparedSubject, CaseError> {
         let (spec, at) = (&self.case.subjects[i], format!("subjects[{i}]"));
         self.check_kind_fits(&at, spec, world)?;
-        let source = self.source(&at, spec, world, place)?;
+        let truth = match world {
+            World::Grey(medium) => Some(self.truth(&at, spec, medium)?),
+            World::Chromatic(_) => None,
+        };
+        let source = self.source(&at, spec, (world, truth.as_ref()), place)?;
         let work = spec.work(source.as_ref());
         let faults = spec.fault.clone().unwrap_or_default().0;
-        let (truth, seen) = match world {
-            World::Grey(medium) => {
-                let truth = self.truth(&at, spec, medium)?;
-                self.check_faults(&at, spec, world, Some(&*truth))?;
-                (Some(truth.clone()), Some(self.seen(&at, (spec, work), &truth, &faults)?))
-            }
-            World::Chromatic(_) => {
-                self.check_faults(&at, spec, world, None)?;
-                (None, None)
-            }
-        };
+        self.check_faults(&at, spec, world, truth.as_deref())?;
+        let seen = truth.as_ref().map(|truth| self.seen(&at, (spec, work), truth, &faults)).transpose()?;
         self.check_fit(&at, (spec, work), world, seen.as_deref())?;
         let variants = self.variants(i, work, truth.as_ref(), &faults)?;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
-        let draws = match &source {
-            Some(source) => source.first_rows(),
+        let draws = match source.as_ref().and_then(Origin::file) {
+            Some(file) => file.first_rows(),
             None => self.effort(spec, limits)?,
         };
         let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();

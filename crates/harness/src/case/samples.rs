@@ -141,7 +141,7 @@ impl CaseFile {
     }
 
     /// The open file, if `spec` is one of samples.
-    pub(super) fn source(
+    pub(super) fn sample_file(
         &self,
         at: &str,
         spec: &Subject,

@@ -1,6 +1,7 @@
 //! The names of subjects: those of the estimators' lists, and the harness's own.
 
 use super::brought::{self, Brought};
+use super::command::Command;
 use super::samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::free_path::AnyFreePath;
@@ -186,6 +187,8 @@ with_own!(
     Exact(Exact) = "exact",
     /// Drawn elsewhere.
     Samples(FreePathSamples) = "samples",
+    /// A program.
+    Command(Command) = "command",
 );
 with_own!(
     /// A transmittance estimator: `closed_form` is exp(-tau).
@@ -194,10 +197,14 @@ with_own!(
     ClosedForm(ClosedForm) = "closed_form",
     /// Drawn elsewhere.
     Samples(TransmittanceSamples) = "samples",
+    /// A program.
+    Command(Command) = "command",
 );
 with_own!(
     /// A chromatic sampler.
     ChromaticSubject = AnyChromatic, chromatic: ChromaticSampler, "a chromatic sampler, such as {\"balance\": {}}",
     /// Drawn elsewhere.
     Samples(ChromaticSamples) = "samples",
+    /// A program.
+    Command(Command) = "command",
 );

@@ -1,4 +1,4 @@
-use super::{CaseError, Ray};
+use super::{CaseError, Commands, Ray};
 use freepath_estimators::ParameterError;
 use freepath_estimators::medium::{Raw, Surroundings, Volume, VolumeRequest};
 use std::collections::HashMap;
@@ -26,17 +26,23 @@ pub(super) struct Place<'a> {
     pub(super) folder: &'a Path,
     pub(super) ray: Option<Ray>,
     pub(super) allow_paths: bool,
+    pub(super) commands: Commands,
     pub(super) volumes: &'a Volumes,
 }
 
 impl Place<'_> {
+    /// The folder, which may be that where the program runs.
+    pub(super) fn here(&self) -> &Path {
+        if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder }
+    }
+
     /// `file` in the case's folder; a path that leaves the folder needs permission.
     pub(super) fn resolve(&self, file: &str) -> Result<PathBuf, ParameterError> {
         let inside =
             Path::new(file).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
         let path = self.folder.join(file);
-        let here = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
-        let within = |path: PathBuf| std::fs::canonicalize(here).is_ok_and(|folder| path.starts_with(folder));
+        let within =
+            |path: PathBuf| std::fs::canonicalize(self.here()).is_ok_and(|folder| path.starts_with(folder));
         // One that is not there leads nowhere, and whoever opens it says so.
         let stays = inside && std::fs::canonicalize(&path).map_or(true, within);
         if stays || self.allow_paths {

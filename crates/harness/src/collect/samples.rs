@@ -1,6 +1,9 @@
 //! Draws that come in one after another: they are read by one thread at a time and folded by all.
 
-use super::{BLOCK, BlockSums, Collected, FIRST_BLOCKS, Plan, Stopped, Subject, WAVE, Watch, Worker, Workers};
+use super::{
+    BLOCK, BlockSums, Collected, FIRST_BLOCKS, Plan, Stopped, Subject, WAVE, Watch, Work, Worker, Workers,
+};
+use crate::evidence::Fact;
 use crate::samples::{Rows, SampleSource, Wanted};
 use freepath_estimators::Draws;
 use rayon::prelude::*;
@@ -55,6 +58,18 @@ impl Worker {
     }
 }
 
+/// Whoever is cancelled may well fail.
+fn failed(why: String, watch: &Watch) -> Stopped {
+    if watch.cancelled.load(Ordering::Relaxed) { Stopped::Cancelled } else { Stopped::Subject(why) }
+}
+
+/// What a few draws tell before any stage, of a subject whose draws are made elsewhere.
+pub(crate) fn rehearse(subject: &Subject, seed: u64, watch: &Watch) -> Result<Vec<Fact>, Stopped> {
+    let Work::Samples(_, source) = subject.work else { return Ok(Vec::new()) };
+    let wanted = Wanted { seed, subject: subject.key, blocks: 0..0, cancelled: watch.cancelled };
+    source.rehearse(&wanted).map_err(|why| failed(why, watch))
+}
+
 /// The rows of `blocks`, folded: the same for any number of threads, since blocks are put in order before their sums are
 /// added.
 pub(super) fn collect(
@@ -65,8 +80,8 @@ pub(super) fn collect(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
-    let wanted = Wanted { seed, subject: subject.key, blocks: blocks.clone() };
-    let rows = source.open(&wanted).map_err(Stopped::Subject)?;
+    let wanted = Wanted { seed, subject: subject.key, blocks: blocks.clone(), cancelled: watch.cancelled };
+    let rows = source.open(&wanted).map_err(|why| failed(why, watch))?;
     let (workers, mut collected) = (Workers::new(), Collected::new(plan));
     let reader = Mutex::new(Reader { rows, blocks: blocks.clone() });
     let cancelled = || watch.cancelled.load(Ordering::Relaxed);

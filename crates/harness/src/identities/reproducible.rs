@@ -7,13 +7,13 @@ use std::sync::Barrier;
 use std::thread;
 
 /// Check and words.
-pub(super) const CHECK: (&str, &str) = (
+pub(crate) const CHECK: (&str, &str) = (
     "identity_reproducible",
     "A fact: the same seed must give the same draws, bit by bit, one after the other and from four threads at once.",
 );
 
 /// Check and words.
-pub(super) const STREAMS: (&str, &str) = (
+pub(crate) const STREAMS: (&str, &str) = (
     "identity_streams",
     "A fact: two blocks of draws that should be independent are copies of each other, as of workers with one seed.",
 );
@@ -25,7 +25,7 @@ const ROWS: usize = 64;
 const THREADS: u64 = 4;
 
 /// Copies by chance have at most this probability before they are a fact.
-const CHANCE: f64 = 1e-15;
+pub(crate) const CHANCE: f64 = 1e-15;
 
 /// What the same seed twice, four threads at once and two seeds have to say, by each method.
 pub(super) fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
@@ -65,7 +65,7 @@ fn at_once(subject: &Subject, seed: u64) -> Option<Vec<Vec<Vec<u64>>>> {
 }
 
 /// The probability that another block of such draws is the same by chance: (sum of f^2)^rows over the shares f of the values.
-fn chance(block: &[Vec<u64>]) -> f64 {
+pub(crate) fn chance(block: &[Vec<u64>]) -> f64 {
     let mut counts: BTreeMap<&[u64], f64> = BTreeMap::new();
     block.iter().for_each(|row| *counts.entry(row).or_default() += 1.0);
     let rows = block.len() as f64;

@@ -26,6 +26,12 @@ const FIRST_BLOCK: u64 = 1 << 40;
 /// Those of growth in stage 2.
 const FIRST_BLOCK_OF_STAGE_TWO: u64 = 1 << 41;
 
+/// The stage of a range of blocks, by the first of them.
+pub(crate) fn stage_of(first: u64) -> u32 {
+    let grown = (FIRST_BLOCK..FIRST_BLOCK_OF_STAGE_TWO).contains(&first);
+    if first == 0 || grown { 1 } else { 2 }
+}
+
 /// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
 const REJECTED: f64 = 1e-8;
 

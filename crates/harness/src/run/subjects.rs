@@ -3,6 +3,7 @@
 use super::efficiency::efficiency;
 use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, life_table, series};
+use crate::case::Origin;
 use crate::collect::Collected;
 use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
@@ -52,7 +53,7 @@ pub(super) fn result(
         innocent: prepared.spec.innocent,
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
-        draws_left: prepared.source.as_ref().map_or(0, SampleFile::left),
+        draws_left: prepared.source.as_ref().and_then(Origin::file).map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
         mean: means(trial).map(|(plan, sums)| mean_result(plan, sums, grown.as_ref())),
         law: cells(trial).map(|(plan, cells)| law_result(plan, cells, grown.as_ref())),

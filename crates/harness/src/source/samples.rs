@@ -13,8 +13,8 @@ use table::Table;
 
 mod binary;
 mod inspect;
-mod meaning;
-mod table;
+pub(crate) mod meaning;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -156,7 +156,7 @@ fn shown(path: Option<&Path>) -> PathBuf {
 }
 
 impl SampleSource for SampleFile {
-    fn open<'a>(&'a self, wanted: &Wanted) -> Result<Box<dyn Rows + 'a>, String> {
+    fn open<'a>(&'a self, wanted: &Wanted<'a>) -> Result<Box<dyn Rows + 'a>, String> {
         let (at, end) = (self.row(wanted.blocks.start), self.row(wanted.blocks.end));
         let table = self.reader(at).map_err(|refusal| self.error(refusal))?;
         Ok(Box::new(FileRows { file: self, table: Some(table), at, end, events: Vec::new() }))

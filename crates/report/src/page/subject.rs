@@ -16,6 +16,9 @@ use freepath_harness::verdict::Reason;
 /// Most notes and tests that are shown of one subject.
 const MOST: usize = 60;
 
+/// Most lines of a program's standard error that are shown.
+const MOST_LINES: usize = 1000;
+
 /// The section of a subject.
 pub(crate) struct SubjectView {
     pub(crate) letter: Letter,
@@ -32,6 +35,7 @@ pub(crate) struct SubjectView {
     pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
     pub(crate) repro: String,
+    pub(crate) log: Vec<String>,
     pub(crate) figures: Vec<FigureView>,
 }
 
@@ -83,6 +87,7 @@ impl SubjectView {
             facts: result.facts.iter().take(MOST).map(fact).collect(),
             tests: result.tests.iter().take(MOST).map(test).collect(),
             repro: clean(&result.repro, 1000),
+            log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
             figures: FigureView::all(figures)?,
         })
     }

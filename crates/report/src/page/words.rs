@@ -166,13 +166,17 @@ pub(crate) fn audit(result: &SubjectResult) -> String {
         if found.is_empty() { "none above the majorant or outside the ray".into() } else { found.join(", ") };
     match lookups(result) {
         Some(lookups) => format!("{} look-ups of μ per draw{expected}; {found}.", short(lookups)),
+        None if result.estimator == "command" => {
+            "Look-ups of μ are not known: the draws come from a program.".into()
+        }
         None => "Look-ups of μ are not known: the draws come from a file.".into(),
     }
 }
 
 /// Look-ups per draw, where they are known.
 pub(crate) fn lookups(result: &SubjectResult) -> Option<f64> {
-    (result.estimator != "samples").then_some(result.lookups.0)
+    let elsewhere = matches!(result.estimator.as_str(), "samples" | "command");
+    (!elsewhere).then_some(result.lookups.0)
 }
 
 /// `free_path` and its kin, for people.

@@ -25,6 +25,7 @@ pub(crate) fn run() -> (Results, Timings) {
         id: r.id.clone(),
         seconds: (r.draws as f64 * r.lookups.0 * 4e-9 * (1.0 + 0.3 * noise.uniform()) + 1e-3).into(),
         draws: r.draws,
+        log: String::new(),
     });
     let timings = Timings {
         run: "0123456789abcdef".into(),

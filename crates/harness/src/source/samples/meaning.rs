@@ -11,10 +11,12 @@ pub(super) const SURFACE: f64 = 1.0;
 
 /// What the numbers of a file say.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meaning {
+pub(crate) struct Meaning {
     kind: SampleKind,
-    /// From here on a free path is an escape.
+    /// From here on a free path is an escape,
     escape: f64,
+    /// up to here.
+    escapes_end: f64,
     length: f64,
     /// Up to here a distance is the length, rounded.
     rounded: f64,
@@ -28,11 +30,17 @@ impl Meaning {
             Escape::Infinity => f64::INFINITY,
             Escape::AtLength => length * (1.0 - tolerance),
         };
-        Self { kind, escape, length, rounded: length * (1.0 + tolerance) }
+        Self { kind, escape, escapes_end: f64::INFINITY, length, rounded: length * (1.0 + tolerance) }
+    }
+
+    /// The same of a program: a free path that is the length, or is so within `tolerance`, is an escape as well.
+    pub(crate) fn of_program(kind: SampleKind, length: f64, tolerance: f64) -> Self {
+        let rounded = length * (1.0 + tolerance);
+        Self { kind, escape: length * (1.0 - tolerance), escapes_end: rounded, length, rounded }
     }
 
     /// The next rows of `table`, at most `rows`, in the columns of `draws`; `first` is the number of the first.
-    pub(super) fn read(
+    pub(crate) fn read(
         &self,
         table: &mut dyn Table,
         rows: usize,
@@ -68,7 +76,7 @@ impl Meaning {
     fn settle(&self, t: &mut [f64]) {
         for t in t {
             let near = if *t > self.length && *t <= self.rounded { self.length } else { *t };
-            *t = if *t >= self.escape { f64::INFINITY } else { near };
+            *t = if near >= self.escape && near <= self.escapes_end { f64::INFINITY } else { near };
         }
     }
 

@@ -1,9 +1,12 @@
 use super::*;
 use crate::source::tests::Temporary;
 use proptest::prelude::*;
+use std::sync::atomic::AtomicBool;
 
 mod errors;
 mod hostile;
+
+static GOES_ON: AtomicBool = AtomicBool::new(false);
 
 /// Free paths of one column on a ray of length 2.
 pub(super) fn request() -> Request<'static> {
@@ -48,7 +51,7 @@ pub(super) fn open(name: &str, bytes: &[u8], request: &Request) -> Result<Sample
 
 /// The draws of some blocks, block by block.
 fn blocks(file: &SampleFile, blocks: std::ops::Range<u64>) -> Result<Vec<Draws>, String> {
-    let mut rows = SampleSource::open(file, &Wanted { seed: 1, subject: 2, blocks })?;
+    let mut rows = SampleSource::open(file, &Wanted { seed: 1, subject: 2, blocks, cancelled: &GOES_ON })?;
     let mut all = Vec::new();
     loop {
         let mut draws = Draws::new(BLOCK).with_t().with_weight().with_channels(2);

@@ -1,0 +1,140 @@
+//! The adapters: their examples are built and judged, in every kind of medium, and the README's commands give verdicts.
+
+use crate::support::{folder, freepath, put, told};
+use crate::tools::{Test, Tool, path, root};
+use freepath_harness::results::{Results, SubjectResult};
+use freepath_harness::verdict::Verdict;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+pub(crate) const TESTS: &[Test] = &[
+    ("the_python_example_is_judged_right", &[Tool::Python], || as_expected(&["python", "python_chromatic"])),
+    ("the_cpp_example_is_judged_right", &[Tool::Cpp], || as_expected(&["cpp"])),
+    ("the_c_example_is_judged_right", &[Tool::C], || as_expected(&["c"])),
+    ("python_reads_every_table", &[Tool::Python], || every_table(&["python3", "delta_tracking.py"])),
+    ("cpp_reads_every_table", &[Tool::Cpp], || every_table(&["./delta_tracking_cpp"])),
+    ("c_reads_every_table", &[Tool::C], || every_table(&["./delta_tracking_c"])),
+    ("the_readme_leads_to_verdicts", &[Tool::Python, Tool::Cpp], the_readme_leads_to_verdicts),
+];
+
+/// A copy of the adapters, with what can be built of them.
+fn adapters(name: &str) -> PathBuf {
+    let (folder, from) = (folder(name), root().join("adapters"));
+    for part in ["python", "cpp", "c", "examples"] {
+        for file in
+            std::fs::read_dir(from.join(part)).unwrap().map(Result::unwrap).filter(|file| file.path().is_file())
+        {
+            let text = std::fs::read_to_string(file.path()).unwrap();
+            put(&folder, &format!("adapters/{part}/{}", file.file_name().display()), &text);
+        }
+    }
+    std::fs::create_dir_all(folder.join("target")).unwrap();
+    build(&folder, Tool::Cpp, "c++", &["-std=c++17", "delta_tracking.cpp"], "delta_tracking_cpp");
+    build(&folder, Tool::C, "cc", &["-std=c99", "-Wpedantic", "delta_tracking.c"], "delta_tracking_c");
+    folder
+}
+
+fn build(folder: &Path, tool: Tool, compiler: &str, what: &[&str], to: &str) {
+    if tool.is_there() {
+        let mut command = Command::new(compiler);
+        command.current_dir(folder.join("adapters/examples")).args(["-O2", "-Wall", "-Wextra", "-Werror"]);
+        let made = command.args(what).args(["-o", &format!("../../target/{to}"), "-lm"]).output().unwrap();
+        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    }
+}
+
+fn as_expected(cases: &[&str]) {
+    let folder = adapters(&format!("adapters_{}", cases[0]));
+    for case in cases {
+        let case = format!("adapters/examples/{case}.json");
+        let (code, out, err) =
+            told(&freepath(&folder, &["run", &case, "--allow-commands"]).env("PATH", path()).output().unwrap());
+        assert_eq!((code, err.as_str()), (0, ""), "{out}");
+        assert!(out.contains(" pass ") && out.contains(" fail "), "{out}");
+    }
+}
+
+/// Constants, ramps, jumps, voxels in both filters, and media in media: the right sampler passes, the late one fails.
+fn every_table(argv: &[&str]) {
+    let media = [
+        r#"{ "constant": { "mu": 1.5, "length": 2.0 } }"#,
+        r#"{ "reversed": { "medium": { "linear": { "mu0": 0.2, "mu1": 3.0, "length": 2.0 } } } }"#,
+        r#"{ "box_spike": { "base": 0.3, "peak": 6.0, "start": 0.7, "end": 0.9, "length": 2.0 } }"#,
+        r#"{ "piecewise_constant": { "edges": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.0, 1.0] } }"#,
+        r#"{ "piecewise_linear": { "nodes": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.1, 3.0, 0.0] } }"#,
+        &voxels("nearest"),
+        &voxels("trilinear"),
+    ];
+    let folder = adapters(&format!("tables_{}", argv.last().unwrap().replace("./", "")));
+    for (i, medium) in media.iter().enumerate() {
+        for name in ["delta_tracking_c", "delta_tracking_cpp"] {
+            drop(std::fs::copy(folder.join("target").join(name), folder.join("adapters/examples").join(name)));
+        }
+        let volume = root().join("cases/data/head_epi_24x96x128_u16.npy");
+        std::fs::copy(volume, folder.join("adapters/examples/head.npy")).unwrap();
+        let command = serde_json::json!({ "argv": argv });
+        let case = format!(
+            r#"{{ "title": "table {i}", "medium": {medium}, "draws": 60000,
+                 "subjects": [ {{ "free_path": {{ "command": {command} }} }}, {{ "transmittance": {{ "command": {command} }} }} ] }}"#
+        );
+        put(&folder, &format!("adapters/examples/table_{i}.json"), &case);
+    }
+    let cases: Vec<String> = (0..media.len()).map(|i| format!("adapters/examples/table_{i}.json")).collect();
+    let mut args: Vec<&str> = vec!["run", "--allow-commands", "--json"];
+    args.extend(cases.iter().map(String::as_str));
+    let (_, out, err) = told(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
+    let results: Results = serde_json::from_str(&out).unwrap_or_else(|why| panic!("{why}: {err}"));
+    assert_eq!(results.results.len(), 2 * media.len());
+    let wrong = |of: &&SubjectResult| of.verdict != Verdict::Pass;
+    let wrong: Vec<_> = results.results.iter().filter(wrong).map(|of| (&of.case, &of.kind, &of.notes)).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+fn voxels(filter: &str) -> String {
+    let text = std::fs::read_to_string(root().join("cases/head.json")).unwrap();
+    let case: freepath_harness::case::Case =
+        freepath_harness::case::CaseFile::parse(Path::new("head.json"), text).unwrap().case;
+    let mut medium = serde_json::to_value(&case.medium).unwrap();
+    let grid = &mut medium["voxel_grid"];
+    (grid["file"], grid["filter"]) = ("head.npy".into(), filter.into());
+    medium.to_string()
+}
+
+/// The section's commands, one by one, with the binary of this build in the place of that of a release.
+fn the_readme_leads_to_verdicts() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let section = readme.split("\n## ").find(|section| section.starts_with("Judge your own sampler\n")).unwrap();
+    let fences: Vec<&str> =
+        section.split("```bash\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+    assert_eq!(fences.len(), 3, "Python, C++, a file");
+    for fence in fences {
+        let mut last = String::new();
+        assert!(fence.lines().count() <= 3, "{fence}");
+        for line in fence.lines() {
+            last = said(line);
+        }
+        assert!(last.contains(" as expected: ") && last.contains("ok  pass  free_path"), "{last}");
+        if fence.contains("python.json") {
+            let without_numbers = |text: &str| -> Vec<String> {
+                let verdicts = text.lines().filter(|line| line.starts_with("ok ") || line.contains("expected"));
+                verdicts.map(|line| line.get(..50).unwrap_or(line).to_string()).collect()
+            };
+            let shown = section.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
+            assert_eq!(without_numbers(shown), without_numbers(&last), "paste this into README.md:\n{last}");
+        }
+    }
+}
+
+/// What a line of the README prints.
+fn said(line: &str) -> String {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme_programs");
+    let mut line = line.replace("target/release/freepath", env!("CARGO_BIN_EXE_freepath"));
+    if line.contains(" run ") || line.contains(" check ") || line.contains(" medium ") {
+        line += &format!(" --out '{}'", out.display());
+    }
+    let mut command = Command::new("sh");
+    command.args(["-e", "-c", &line]).current_dir(root()).env("PATH", path()).env_remove("FREEPATH_ISA");
+    let (code, out, err) = told(&command.output().unwrap());
+    assert_eq!(code, 0, "{line}: {out}{err}");
+    out
+}

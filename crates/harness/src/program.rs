@@ -1,0 +1,170 @@
+//! Programs as subjects: started for each stage, told by one line of JSON what to draw, and read from standard output.
+//!
+//! A program runs in a process group of its own, in the folder of its case. It reads one line,
+//!
+//! ```text
+//! {"protocol":1,"kind":"free_path","medium":{..},"majorants":[{"end":..,"mu_bar":..}],"length":..,"draws":N,"seed":S,
+//!  "stage":1,"case_file":"..","table":"..","rows_per_cell":2}
+//! ```
+//!
+//! and writes exactly N rows of doubles, little endian: a free path is t, infinity for an escape (t that is the length within
+//! the tolerance counts as one); a transmittance is an estimate; a chromatic row is t, event (0 scatters, 1 is the surface) and
+//! a weight per channel. S is below 2^53, and another for each stage. `table` and `rows_per_cell` stand there only for a medium
+//! whose mu is a polynomial between its breaks: see [`nodes`].
+//!
+//! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
+//! give different ones (else `dependent`).
+
+use crate::evidence::Fact;
+use crate::samples::{Rows, SampleKind, SampleSource, Wanted};
+use crate::source::Refusal;
+use crate::source::samples::meaning::Meaning;
+use crate::source::samples::table::Table;
+use crate::subject::BLOCK;
+use freepath_estimators::Draws;
+use log::Log;
+use process::Process;
+use std::path::PathBuf;
+use std::time::Duration;
+use tempfile::NamedTempFile;
+
+mod log;
+pub mod nodes;
+#[cfg(unix)]
+mod process;
+#[cfg(not(unix))]
+#[path = "program/unsupported.rs"]
+mod process;
+mod rehearsal;
+mod request;
+
+pub use log::MOST_LOG;
+pub(crate) use request::Setting;
+
+/// Seconds of silence after which a program is killed, unless a case says otherwise.
+pub const IDLE: f64 = 60.0;
+
+/// A program may take so many times its idle limit in all.
+pub const TOTAL_PER_IDLE: u32 = 10;
+
+/// The least and the most seconds that the idle limit may be.
+pub const IDLE_RANGE: (f64, f64) = (0.01, 86_400.0);
+
+/// A program that is started for each stage.
+pub struct Program {
+    /// The program and its arguments; not empty.
+    argv: Vec<String>,
+    /// Where it runs.
+    folder: PathBuf,
+    idle: Duration,
+    kind: SampleKind,
+    /// Numbers of a row.
+    across: usize,
+    meaning: Meaning,
+    request: serde_json::Map<String, serde_json::Value>,
+    log: Log,
+    /// The nodes of the medium; the file lives as long as the program.
+    _table: Option<NamedTempFile>,
+}
+
+impl Program {
+    /// What its rows say.
+    #[must_use]
+    pub fn kind(&self) -> SampleKind {
+        self.kind
+    }
+
+    /// What it has written to standard error so far, in all its starts, up to [`MOST_LOG`] bytes.
+    #[must_use]
+    pub fn log(&self) -> String {
+        self.log.text()
+    }
+
+    fn start<'a>(
+        &'a self,
+        draws: u64,
+        seed: u64,
+        stage: u32,
+        wanted: &Wanted<'a>,
+    ) -> Result<Process<'a>, Refusal> {
+        let line = request::line(&self.request, draws, seed, stage);
+        let started = process::Start {
+            argv: &self.argv,
+            folder: &self.folder,
+            idle: self.idle,
+            log: &self.log,
+            cancelled: wanted.cancelled,
+        };
+        started.start(line, draws.saturating_mul(8 * self.across as u64))
+    }
+
+    fn error(&self, refusal: &Refusal) -> String {
+        format!("cannot run {}: {refusal}", self.argv[0])
+    }
+}
+
+impl SampleSource for Program {
+    fn open<'a>(&'a self, wanted: &Wanted<'a>) -> Result<Box<dyn Rows + 'a>, String> {
+        let draws = (wanted.blocks.end - wanted.blocks.start).saturating_mul(BLOCK as u64);
+        let (seed, stage) =
+            (request::seed(wanted, wanted.blocks.start), crate::run::stage_of(wanted.blocks.start));
+        let process = self.start(draws, seed, stage, wanted).map_err(|why| self.error(&why))?;
+        let output = Output { process, across: self.across, bytes: Vec::new() };
+        Ok(Box::new(ProgramRows { program: self, output, left: draws, read: 0, events: Vec::new() }))
+    }
+
+    fn finished(&self) -> bool {
+        false
+    }
+
+    fn rehearse(&self, wanted: &Wanted) -> Result<Vec<Fact>, String> {
+        self.rehearsed(wanted).map_err(|why| self.error(&why))
+    }
+}
+
+/// The numbers that a process writes.
+struct Output<'a> {
+    process: Process<'a>,
+    across: usize,
+    bytes: Vec<u8>,
+}
+
+impl Table for Output<'_> {
+    fn read(&mut self, rows: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal> {
+        self.bytes.resize(rows * self.across * 8, 0);
+        self.process.fill(&mut self.bytes)?;
+        let (cells, _) = self.bytes.as_chunks::<8>();
+        for (i, column) in columns.iter_mut().enumerate() {
+            let of_column = cells.iter().skip(i).step_by(self.across);
+            column.iter_mut().zip(of_column).for_each(|(x, cell)| *x = f64::from_le_bytes(*cell));
+        }
+        Ok(rows)
+    }
+}
+
+/// The rows of one stage.
+struct ProgramRows<'a> {
+    program: &'a Program,
+    output: Output<'a>,
+    left: u64,
+    read: u64,
+    events: Vec<f64>,
+}
+
+impl ProgramRows<'_> {
+    fn fill(&mut self, rows: usize, draws: &mut Draws) -> Result<(), Refusal> {
+        self.program.meaning.read(&mut self.output, rows, draws, &mut self.events, self.read)?;
+        (self.read, self.left) = (self.read + rows as u64, self.left - rows as u64);
+        if self.left == 0 { self.output.process.finish() } else { Ok(()) }
+    }
+}
+
+impl Rows for ProgramRows<'_> {
+    fn read(&mut self, draws: &mut Draws) -> Result<usize, String> {
+        let rows = if self.left < draws.rows as u64 { self.left as usize } else { draws.rows };
+        if rows > 0 {
+            self.fill(rows, draws).map_err(|why| self.program.error(&why))?;
+        }
+        Ok(rows)
+    }
+}

@@ -1,0 +1,45 @@
+//! Three short starts: one seed twice, another once.
+
+use super::{Program, request};
+use crate::evidence::Fact;
+use crate::identities::reproducible::{CHANCE, CHECK, STREAMS, chance};
+use crate::samples::Wanted;
+use crate::source::Refusal;
+use crate::verdict::Reason;
+
+/// Draws of a short start.
+const ROWS: usize = 256;
+
+/// Short starts are numbered from here, beyond every block.
+const FIRST_BLOCK: u64 = 1 << 47;
+
+impl Program {
+    /// What the short starts tell.
+    pub(super) fn rehearsed(&self, wanted: &Wanted) -> Result<Vec<Fact>, Refusal> {
+        let seed = |i| request::seed(wanted, FIRST_BLOCK + i);
+        let one = self.short(seed(0), wanted)?;
+        let (again, other) = (self.short(seed(0), wanted)?, self.short(seed(1), wanted)?);
+        if one != again {
+            let words = "the same seed gave other bytes when the program was started again";
+            return Ok(vec![Fact::new(CHECK.0, Reason::NotReproducible, words)]);
+        }
+        let copied = one == other && chance(&self.rows(&one)) < CHANCE;
+        let words = "two seeds gave the same bytes: the program does not heed its seed";
+        Ok(copied.then(|| Fact::new(STREAMS.0, Reason::Dependent, words)).into_iter().collect())
+    }
+
+    /// What one short start writes.
+    fn short(&self, seed: u64, wanted: &Wanted) -> Result<Vec<u8>, Refusal> {
+        let mut process = self.start(ROWS as u64, seed, 1, wanted)?;
+        let mut bytes = vec![0; ROWS * self.across * 8];
+        process.fill(&mut bytes)?;
+        process.finish()?;
+        Ok(bytes)
+    }
+
+    fn rows(&self, bytes: &[u8]) -> Vec<Vec<u64>> {
+        let (cells, _) = bytes.as_chunks::<8>();
+        let bits: Vec<u64> = cells.iter().map(|cell| u64::from_le_bytes(*cell)).collect();
+        bits.chunks(self.across).map(<[u64]>::to_vec).collect()
+    }
+}
