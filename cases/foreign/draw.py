@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Draws free paths with programs that nobody here wrote, and the case files that judge them.
 
-    python3 cases/foreign/draw.py OUT [mitsuba] [numpy] [scipy] [pytissueoptics]
-
 Without names, every program that is installed. The README beside this file says how to install each.
 """
 
+import argparse
 import importlib.util
 import json
 import math
@@ -51,7 +50,7 @@ def delta_tracking(mu, majorant, length, n, rng):
     return t
 
 
-def draw_numpy(out, n=1_000_000):
+def draw_numpy(out, n):
     rng = np.random.default_rng(SEED)
     np.save(out / "numpy_exponential.npy", escaped(rng.exponential(1 / MU, n), LENGTH))
     np.save(out / "numpy_exponential_f32.npy", escaped(rng.standard_exponential(n, np.float32) / np.float32(MU), LENGTH).astype("f4"))
@@ -61,15 +60,15 @@ def draw_numpy(out, n=1_000_000):
     case(out, "numpy_homogeneous", "NumPy's exponentials", homogeneous, files)
     bump = lambda t: 0.2 + 4.0 * np.exp(-((t - 0.9) / 0.25) ** 2 / 2)
     np.save(out / "numpy_delta.npy", delta_tracking(bump, 4.2, 2.3, n, rng))
-    wrong = lambda t: bump(np.maximum(t - 0.004, 0.0))
+    wrong = lambda t: bump(np.maximum(t - 0.03, 0.0))
     np.save(out / "numpy_delta_late.npy", delta_tracking(wrong, 4.2, 2.3, n, rng))
     medium = {"gaussian": {"peak": 4.0, "center": 0.9, "width": 0.25, "length": 2.3, "base": 0.2}}
     files = [("free_path", "delta tracking of 10 lines", "numpy_delta.npy"),
-             ("free_path", "the same, looking up 0.004 late", "numpy_delta_late.npy", "wrong_law")]
+             ("free_path", "the same, looking up 0.03 late", "numpy_delta_late.npy", "wrong_law")]
     case(out, "numpy_delta_tracking", "Delta tracking in NumPy", medium, files)
 
 
-def draw_scipy(out, n=1_000_000):
+def draw_scipy(out, n):
     from scipy import stats
 
     rng = np.random.default_rng(SEED + 1)
@@ -156,7 +155,7 @@ def draw_chromatic(mi, out, n):
     case(out, "mitsuba_chromatic", "Mitsuba 3: homogeneous, three channels", seen, files)
 
 
-def draw_mitsuba(out, n=1_000_000):
+def draw_mitsuba(out, n):
     import mitsuba as mi
 
     mi.set_variant("scalar_rgb")
@@ -169,7 +168,8 @@ def draw_mitsuba(out, n=1_000_000):
 LAYERS = ((0.3, 0.5), (2.0, 0.6), (0.1, 0.4), (3.0, 0.8))  # extinction, thickness
 
 
-def draw_pytissueoptics(out, n=98_304):
+def draw_pytissueoptics(out, n):
+    n = min(n, 98_304)  # some 0.3 ms each
     from pytissueoptics import Cuboid, ScatteringMaterial, Vector
     from pytissueoptics.rayscattering.photon import Photon
     from pytissueoptics.rayscattering.scatteringScene import ScatteringScene
@@ -211,21 +211,23 @@ def draw_pytissueoptics(out, n=98_304):
 PROGRAMS = {"numpy": draw_numpy, "scipy": draw_scipy, "mitsuba": draw_mitsuba, "pytissueoptics": draw_pytissueoptics}
 
 
-def main(out, *names):
-    unknown = set(names) - set(PROGRAMS)
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", type=Path, help="the folder of the samples and cases")
+    parser.add_argument("programs", nargs="*", metavar="program", help=f"one of {', '.join(PROGRAMS)}")
+    parser.add_argument("--draws", type=int, default=1_000_000, help="draws of each; of pytissueoptics at most 98,304")
+    args = parser.parse_args()
+    unknown = set(args.programs) - set(PROGRAMS)
     if unknown:
-        sys.exit(f"draw.py: unknown program {', '.join(sorted(unknown))} (one of {', '.join(PROGRAMS)})")
-    out = Path(out)
-    out.mkdir(parents=True, exist_ok=True)
-    for name in names or PROGRAMS:
-        if not names and importlib.util.find_spec(name) is None:
+        parser.error(f"unknown program {', '.join(sorted(unknown))} (one of {', '.join(PROGRAMS)})")
+    args.out.mkdir(parents=True, exist_ok=True)
+    for name in args.programs or PROGRAMS:
+        if not args.programs and importlib.util.find_spec(name) is None:
             print(f"LEFT OUT: {name} is not installed (pip install {name})", file=sys.stderr)
             continue
         print(f"drawing with {name}", file=sys.stderr)
-        PROGRAMS[name](out)
+        PROGRAMS[name](args.out, args.draws)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main()

@@ -50,7 +50,8 @@ pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (R
     let due = claim.variance.map_or(0.0, |v| (v / n).sqrt());
     let seen = error <= 0.05 * claim.expected.abs() && due <= 0.05 * claim.expected.abs(); // at least 400 draws' worth
     if !seen || sums.constant() {
-        let why = format!("the standard error of the mean is {:.2e}, the mean {:.2e}", due, claim.expected);
+        let largest = if due > error { due } else { error };
+        let why = format!("the standard error of the mean is {largest:.2e}, the mean {:.2e}", claim.expected);
         return doubt(sums).filter(|d| d.0 == Reason::RareEvent).unwrap_or((Reason::RareEvent, why));
     }
     let known = claim.skewness.is_some_and(f64::is_finite);
