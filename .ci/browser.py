@@ -92,6 +92,14 @@ return {links: links.length, matrix: document.querySelectorAll('.matrix a.letter
         twice: ids.filter((id, i) => ids.indexOf(id) !== i)};
 """
 
+PARTS = """
+return [...document.querySelectorAll('.summary nav a')].map((link) => {
+  const part = document.getElementById(link.getAttribute('href').slice(1))?.closest('section');
+  return {name: link.textContent, size: part ? part.querySelectorAll('svg.plot, tbody tr, dt, p').length : 0,
+          plots: part ? part.querySelectorAll('svg.plot').length : 0};
+});
+"""
+
 SORT = """
 const column = (i) => [...document.querySelectorAll('#all tbody tr')].map((row) => row.cells[i]);
 const keys = (i) => column(i).map((c) => 'key' in c.dataset ? (c.dataset.key === '' ? Infinity : +c.dataset.key) : c.textContent.trim().toLowerCase());
@@ -235,6 +243,10 @@ def use(browser, checks, url):
     links = browser.run(LINKS)
     checks.that(links["matrix"] > 0 and not links["dead"], f"{links['links']} links lead somewhere", links["dead"])
     checks.that(not links["twice"], "no id is taken twice", links["twice"])
+    parts = browser.run(PARTS)
+    checks.that(parts and all(part["size"] for part in parts), f"{len(parts)} parts of the page hold something", parts)
+    level = [part["plots"] for part in parts if part["name"] == "p-values"]
+    checks.that(level and level[0] > 0, "p-values are drawn", parts)
     bad = browser.run(SORT)
     checks.that(not bad, "every column sorts up and down", bad)
     f = browser.run(FILTER)

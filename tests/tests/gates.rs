@@ -105,10 +105,10 @@ fn few_blocks_and_few_pairs_say_nothing() {
     let law = Law::new(1.0, 0.0, |t| libm::exp(-t));
     let (scores, cells) = (Scores::new(&law), tally(&law, 1001));
     let of = |pairs| lag(&scores, &paired(pairs), &cells).p.is_some();
-    assert!(of(1000) && !of(999));
+    assert!(of(2000) && !of(1999));
     let thin = Law::new(1.0, 0.0, |t| libm::exp(-0.06 * t));
-    let thin = lag(&Scores::new(&thin), &paired(1000), &tally(&thin, 1001));
-    assert_eq!(thin.p, None, "1000 pairs of skew ranks");
+    let thin = lag(&Scores::new(&thin), &paired(2000), &tally(&thin, 2001));
+    assert_eq!(thin.p, None, "2000 pairs of skew ranks");
     assert_eq!(kolmogorov(&law, &CellTally::new(&law), Reason::WrongLaw).p, None);
 }
 

@@ -27,11 +27,11 @@ fn cases(draws: u64) -> Vec<Prepared> {
 
 #[test]
 fn p_values_follow_their_laws_and_alarms_are_as_rare_as_designed() {
-    let found = soaked(&cases(65_536), 100);
+    let found = soaked(&cases(65_536), 60);
     let broken: Vec<_> = found.tests.iter().filter(|test| !(test.holds && test.declared)).collect();
     assert!(found.holds, "{broken:?} {:?} {:?}", found.levels, found.facts);
     assert!(found.tests.len() >= 12, "{:?}", found.tests.iter().map(|test| &test.test).collect::<Vec<_>>());
-    assert!(found.p_values > 12_000);
+    assert!(found.p_values > 8_000);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::args::{Output, Sampling, When};
 use crate::progress::Bar;
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, signal};
+use crate::{cases, files, filter, program, signal};
 use freepath_estimators::simd;
 use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, Options, quoted};
@@ -76,7 +76,7 @@ pub(crate) fn prepared(
 
 /// The command with every flag that the results depend on.
 pub(crate) fn repro(verb: &str, paths: &[PathBuf], args: &Sampling) -> String {
-    let mut words = vec![format!("freepath {verb}")];
+    let mut words = vec![quoted(program::name()), verb.to_string()];
     words.extend(paths.iter().map(|path| quoted(&path.display().to_string())));
     words.push(format!("--seed {}", args.seed));
     words.extend(args.draws.map(|draws| format!("--draws {draws}")));

@@ -110,11 +110,12 @@ fn the_transcript_of_the_samples_is_real() {
 
 #[test]
 fn the_code_is_that_of_the_example() {
-    let source = text("examples/own_sampler/src/lib.rs") + &text("examples/own_sampler/tests/verify.rs");
+    let files = ["own_sampler/src/lib.rs", "own_sampler/tests/verify.rs", "own_command/src/main.rs"];
+    let source = files.map(|file| text(&format!("examples/{file}"))).concat();
     let code = blocks("rust");
     assert!(!code.is_empty());
     for block in &code {
-        assert!(source.contains(block), "not in examples/own_sampler:\n{block}");
+        assert!(source.contains(block), "not in examples:\n{block}");
     }
 }
 

@@ -49,7 +49,7 @@ pub trait ChromaticSampler: Send + Sync {
     }
 }
 
-crate::list::list! {
+crate::list! {
     /// Every chromatic sampler that a case can name.
     pub enum AnyChromatic: dyn ChromaticSampler {
         balance::Balance,

@@ -84,7 +84,7 @@ impl<F: Fn(&dyn Extinction, &mut dyn rand::Rng) -> f64 + Send + Sync> FreePathSa
     }
 }
 
-crate::list::list! {
+crate::list! {
     /// Every free-path sampler that a case can name.
     pub enum AnyFreePath: dyn FreePathSampler {
         delta_tracking::DeltaTracking,

@@ -62,7 +62,7 @@ pub trait Surroundings {
     fn ray(&self) -> Option<([f64; 3], [f64; 3])>;
 }
 
-crate::list::list! {
+crate::list! {
     /// Every medium that a case can name.
     pub enum AnyMedium: dyn Describe {
         constant::Constant,

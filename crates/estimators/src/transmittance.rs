@@ -52,7 +52,7 @@ pub trait TransmittanceEstimator: Send + Sync {
     }
 }
 
-crate::list::list! {
+crate::list! {
     /// Every transmittance estimator that a case can name.
     pub enum AnyTransmittance: dyn TransmittanceEstimator {
         delta_tracking::DeltaTracking,

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 mod agree;
+mod brought;
 mod check;
 mod command;
 mod error;
@@ -23,6 +24,7 @@ mod samples;
 mod subject;
 mod surroundings;
 
+pub use brought::{Brought, ListError, Lists};
 pub use command::{Command, Commands};
 pub use error::CaseError;
 pub use faults::Faults;
@@ -220,7 +222,7 @@ impl CaseFile {
     /// If the text does not say a case.
     pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
         let source = Source::new(path.display().to_string(), text)?;
-        let case = source.read()?;
+        let case = source.read().map_err(|found| brought::located(&source, found))?;
         Ok(Self { path: path.to_path_buf(), source, case, checked: None })
     }
 }

@@ -36,7 +36,8 @@ use serde::de::DeserializeOwned;
 
 pub use diagnosis::Diagnosis;
 use diagnosis::Finding;
-use tree::Node;
+use path::joined;
+use tree::{Node, Value};
 
 /// The longest text that is read, in bytes. Compare a file's size with it before reading the file.
 pub const MAX_BYTES: usize = 16 << 20;
@@ -84,7 +85,31 @@ impl Source {
     ///
     /// The first place that does not fit `T`.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, Diagnosis> {
-        T::deserialize(&self.root).map_err(|misfit| self.finding(&cannot_read(misfit.locate(&self.root))))
+        self.read_at("")
+    }
+
+    /// Reads the value at `path` as a `T`; `path` as in [`Source::diagnose`].
+    ///
+    /// # Errors
+    ///
+    /// The first place that does not fit `T`.
+    pub fn read_at<T: DeserializeOwned>(&self, path: &str) -> Result<T, Diagnosis> {
+        let node = self.root.find(path);
+        T::deserialize(node).map_err(|misfit| {
+            let found = misfit.locate(node);
+            self.finding(&cannot_read(Finding { path: joined(path, &found.path), ..found }))
+        })
+    }
+
+    /// The key of the object at `path`, if it has one key.
+    pub(crate) fn only_key(&self, path: &str) -> Option<&str> {
+        match &self.root.find(path).value {
+            Value::Object(members) => match members.as_slice() {
+                [member] => Some(member.key.text()),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     /// A message about the value at `path`, which is written as messages write it:

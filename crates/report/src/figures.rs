@@ -4,10 +4,14 @@ mod ladders;
 
 use crate::plot::cost::Cost;
 use crate::plot::forest::Entry;
-use crate::plot::{Figure, cdf, cost, efficiency, forest, histogram, medium, order, residuals, running};
+use crate::plot::{
+    Figure, cdf, cost, efficiency, forest, histogram, life_table, medium, order, power, quantiles, residuals,
+    running,
+};
 use crate::site::{Case, Site, Subject};
 use crate::text::clean;
 use freepath_harness::results::ChannelResult;
+use freepath_harness::verdict::Verdict;
 use rayon::prelude::*;
 
 /// A plot with the name of its files.
@@ -17,24 +21,36 @@ pub(crate) struct Drawn {
     pub(crate) figure: Figure,
 }
 
-/// The plots of each subject and of each case, in the order of the site.
+/// The plots of the run, of each subject and of each case, in the order of the site.
 pub(crate) struct Figures {
+    /// p-values of the run, then of the soak.
+    pub(crate) level: Vec<Drawn>,
+    pub(crate) power: Vec<Drawn>,
     pub(crate) subjects: Vec<Vec<Drawn>>,
     pub(crate) cases: Vec<Vec<Drawn>>,
 }
 
 impl Figures {
     pub(crate) fn all(&self) -> impl Iterator<Item = &Drawn> {
-        self.cases.iter().chain(&self.subjects).flatten()
+        let run = self.level.iter().chain(&self.power);
+        run.chain(self.cases.iter().chain(&self.subjects).flatten())
     }
 }
 
 /// All plots of `site`.
 pub(crate) fn of(site: &Site) -> Figures {
     Figures {
+        level: named("r-run", level(site)),
+        power: named("r-run", site.beside.power.as_ref().and_then(power::figure)),
         subjects: site.subjects.par_iter().map(|subject| of_subject(site, subject)).collect(),
         cases: site.cases.par_iter().map(|case| of_case(site, case)).collect(),
     }
+}
+
+fn level(site: &Site) -> Vec<Figure> {
+    let soak = site.beside.soak.as_ref();
+    let figures = [quantiles::of_run(site), soak.and_then(quantiles::of_soak), soak.and_then(quantiles::of_tests)];
+    figures.into_iter().flatten().collect()
 }
 
 fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
@@ -42,6 +58,7 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
     let (result, name) = (subject.result, &subject.name);
     let series = &result.series;
     let figures = [
+        broken(site, subject),
         series.cdf.as_ref().map(|s| cdf::figure(s, name, level)),
         series.histogram.as_ref().map(|s| histogram::figure(s, name)),
         series.residuals.as_ref().map(|s| residuals::figure(s, name)),
@@ -49,6 +66,13 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
         channels(subject),
     ];
     named(&subject.id, figures.into_iter().flatten())
+}
+
+/// The life table, where something was found: of a pass it is told in a sentence.
+fn broken(site: &Site, subject: &Subject) -> Option<Figure> {
+    let table = subject.result.series.life_table.as_ref().filter(|_| subject.result.verdict != Verdict::Pass)?;
+    let medium = site.cases[subject.case].medium.and_then(|medium| medium.series.first());
+    Some(life_table::figure(table, medium, &subject.name, site.results.reporting_level.0))
 }
 
 fn channels(subject: &Subject) -> Option<Figure> {

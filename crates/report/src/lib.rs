@@ -10,6 +10,7 @@
 //! The page is one self-contained file. Everything in the results is treated as hostile: text is escaped and cut to a
 //! sensible length, numbers may be anything, series may be empty.
 
+mod beside;
 mod digest;
 mod draw;
 mod error;
@@ -22,6 +23,7 @@ mod save;
 mod site;
 mod text;
 
+pub use beside::Beside;
 pub use digest::run_id;
 pub use error::ReportError;
 pub use save::json;
@@ -52,11 +54,11 @@ impl Options {
     ///
     /// # Errors
     /// If a plot cannot be drawn or a file cannot be written.
-    pub fn write(&self, results: &Results, timings: Option<&Timings>, out: &Path) -> Result<(), ReportError> {
-        let site = site::Site::new(results, self.own(timings));
+    pub fn write(&self, results: &Results, beside: &Beside, out: &Path) -> Result<(), ReportError> {
+        let site = site::Site::new(results, self.own(beside), beside);
         let figures = figures::of(&site);
         save::plots(&figures, self, &out.join("plots"))?;
-        let page = page::html(&site, &figures, &self.id(results, timings)?, self)?;
+        let page = page::html(&site, &figures, &self.id(results, beside)?, self)?;
         save::atomically(&out.join("index.html"), page.as_bytes())
     }
 
@@ -64,13 +66,13 @@ impl Options {
     ///
     /// # Errors
     /// If a plot cannot be drawn.
-    pub fn html(&self, results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {
-        let site = site::Site::new(results, self.own(timings));
-        page::html(&site, &figures::of(&site), &self.id(results, timings)?, self)
+    pub fn html(&self, results: &Results, beside: &Beside) -> Result<String, ReportError> {
+        let site = site::Site::new(results, self.own(beside), beside);
+        page::html(&site, &figures::of(&site), &self.id(results, beside)?, self)
     }
 
-    fn id(&self, results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {
-        match (&self.run, timings) {
+    fn id(&self, results: &Results, beside: &Beside) -> Result<String, ReportError> {
+        match (&self.run, &beside.timings) {
             (Some(run), _) => Ok(run.clone()),
             (None, Some(timings)) => Ok(timings.run.clone()),
             (None, None) => Ok(run_id(&json(results)?)),
@@ -78,8 +80,8 @@ impl Options {
     }
 
     /// The timings, if they are of this run.
-    fn own<'a>(&self, timings: Option<&'a Timings>) -> Option<&'a Timings> {
-        timings.filter(|t| self.run.as_ref().is_none_or(|run| *run == t.run))
+    fn own<'a>(&self, beside: &'a Beside) -> Option<&'a Timings> {
+        beside.timings.as_ref().filter(|t| self.run.as_ref().is_none_or(|run| *run == t.run))
     }
 }
 
@@ -88,7 +90,7 @@ impl Options {
 /// # Errors
 /// If a plot cannot be drawn or a file cannot be written.
 pub fn write(results: &Results, timings: Option<&Timings>, out: &Path) -> Result<(), ReportError> {
-    Options::default().write(results, timings, out)
+    Options::default().write(results, &Beside::timed(timings), out)
 }
 
 /// Writes the plot of one medium as `out/NAME.png` and `out/NAME.svg`, the medium drawn under `title`.
@@ -105,5 +107,5 @@ pub fn write_medium(medium: &MediumResult, title: &str, name: &str, out: &Path) 
 /// # Errors
 /// If a plot cannot be drawn.
 pub fn html(results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {
-    Options::default().html(results, timings)
+    Options::default().html(results, &Beside::timed(timings))
 }

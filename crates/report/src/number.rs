@@ -5,6 +5,11 @@ pub(crate) fn short(x: f64) -> String {
     digits(x, 3)
 }
 
+/// A p-value: what came out as 0 is smaller than can be written.
+pub(crate) fn probability(p: f64) -> String {
+    if p == 0.0 { format!("< {}", power(-300)) } else { short(p) }
+}
+
 /// `x` with `n` significant digits.
 pub(crate) fn digits(x: f64, n: usize) -> String {
     if x.is_nan() {
@@ -90,6 +95,7 @@ mod tests {
         let want = ["0", "1", "−0.0123", "1.23×10⁵", "1.5×10⁻⁹", "not a number", "∞", "4.94×10⁻³²⁴", "0.001"];
         assert_eq!(text, want);
         assert_eq!([count(0), count(999), count(1_048_576)], ["0", "999", "1,048,576"]);
+        assert_eq!([probability(0.0), probability(0.5)], ["< 10⁻³⁰⁰", "0.5"]);
         assert_eq!([seconds(0.84), seconds(200.0)], ["840 ms", "3 min 20 s"]);
     }
 }

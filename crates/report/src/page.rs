@@ -3,7 +3,10 @@
 mod case;
 mod controls;
 mod figure;
+mod level;
 mod matrix;
+mod power;
+mod ranking;
 mod subject;
 mod summary;
 mod table;
@@ -18,7 +21,9 @@ use crate::{Options, ReportError};
 use askama::Template;
 use case::CaseView;
 use controls::ControlRow;
+use level::LevelView;
 use matrix::Matrix;
+use power::PowerView;
 use rayon::prelude::*;
 use summary::Summary;
 use table::Row;
@@ -38,6 +43,8 @@ struct Page {
     attention: Vec<Row>,
     matrix: Matrix,
     controls: Vec<ControlRow>,
+    level: LevelView,
+    power: Option<PowerView>,
     rows: Vec<Row>,
     cases: Vec<CaseView>,
     /// Which files lie beside the page.
@@ -59,6 +66,8 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options)
         attention: rows.iter().filter(|row| row.surprising).cloned().collect(),
         matrix: Matrix::new(site),
         controls: controls::rows(site),
+        level: LevelView::new(site, figures)?,
+        power: PowerView::new(site, figures)?,
         rows,
         cases: cases.collect::<Result<_, _>>()?,
         png: options.png,

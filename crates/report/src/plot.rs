@@ -5,8 +5,11 @@ pub(crate) mod cost;
 pub(crate) mod efficiency;
 pub(crate) mod forest;
 pub(crate) mod histogram;
+pub(crate) mod life_table;
 pub(crate) mod medium;
 pub(crate) mod order;
+pub(crate) mod power;
+pub(crate) mod quantiles;
 pub(crate) mod residuals;
 pub(crate) mod running;
 
@@ -18,7 +21,7 @@ use freepath_harness::results::MOST_POINTS;
 pub(crate) const WIDTH: f64 = 640.0;
 
 /// Most points of a curve: a pixel shows no more.
-const MOST_DRAWN: usize = 256;
+const MOST_DRAWN: usize = 200;
 
 /// A picture with the words that belong beside it.
 #[derive(Clone, Debug)]

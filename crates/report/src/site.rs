@@ -1,5 +1,6 @@
 //! The results with an address for each part, and in the order of the page.
 
+use crate::Beside;
 use crate::text::{Slugs, clean};
 use freepath_harness::results::{MediumResult, Results, SubjectResult, Timings};
 use std::collections::HashMap;
@@ -11,6 +12,7 @@ pub(crate) const MOST_SUBJECTS: usize = 2000;
 pub(crate) struct Site<'a> {
     pub(crate) results: &'a Results,
     pub(crate) timings: Option<&'a Timings>,
+    pub(crate) beside: &'a Beside,
     pub(crate) subjects: Vec<Subject<'a>>,
     pub(crate) cases: Vec<Case<'a>>,
 }
@@ -47,7 +49,7 @@ pub(crate) struct Case<'a> {
 }
 
 impl<'a> Site<'a> {
-    pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>) -> Self {
+    pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, beside: &'a Beside) -> Self {
         let mut slugs = Slugs::default();
         let mut cases: Vec<Case> = results.media.iter().take(MOST_SUBJECTS).map(|m| case(m, &mut slugs)).collect();
         let (seconds, logs) = (per_draw(timings), logs(timings));
@@ -70,12 +72,17 @@ impl<'a> Site<'a> {
                 case: home,
             });
         }
-        Self { results, timings, subjects, cases }
+        Self { results, timings, beside, subjects, cases }
     }
 
     /// The subjects of a case.
     pub(crate) fn members(&self, case: &Case) -> Vec<&Subject<'a>> {
         case.members.iter().filter_map(|&i| self.subjects.get(i)).collect()
+    }
+
+    /// The subject of this id in the results.
+    pub(crate) fn find(&self, id: &str) -> Option<&Subject<'a>> {
+        self.subjects.iter().find(|subject| subject.result.id == id)
     }
 
     /// How many subjects are not shown.

@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::write;
+use freepath_report::{Options, write};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -12,15 +12,31 @@ fn names(folder: &Path, extension: &str) -> BTreeSet<String> {
     all.filter_map(|name| name.strip_suffix(extension).map(String::from)).collect()
 }
 
-const KINDS: [&str; 10] =
-    ["cdf", "histogram", "residuals", "running", "channels", "means", "medium", "efficiency", "cost", "order"];
+const KINDS: [&str; 15] = [
+    "life-table",
+    "p-values",
+    "soak",
+    "soak-tests",
+    "power",
+    "cdf",
+    "histogram",
+    "residuals",
+    "running",
+    "channels",
+    "means",
+    "medium",
+    "efficiency",
+    "cost",
+    "order",
+];
 
 #[test]
 fn every_plot_is_there_in_both_forms_and_small() {
     let out = std::env::temp_dir().join(format!("freepath-report-{}-files", std::process::id()));
     let (mut results, timings) = support::run();
     results.results.retain(|r| r.medium % 5 == 1);
-    write(&results, Some(&timings), &out).unwrap();
+    let beside = freepath_report::Beside { timings: Some(timings), ..support::beside() };
+    Options::default().write(&results, &beside, &out).unwrap();
     let plots = out.join("plots");
     let (png, svg) = (names(&plots, ".png"), names(&plots, ".svg"));
     assert!(png.len() > 60);

@@ -4,9 +4,10 @@ mod support;
 
 use freepath_harness::real::Real;
 use freepath_harness::results::{
-    CdfSeries, HistogramSeries, MediumSeries, ResidualSeries, Results, RunningSeries, Series,
+    CdfSeries, HistogramSeries, LifeTable, MediumSeries, ResidualSeries, Results, RunningSeries, Series,
 };
-use freepath_report::{html, write};
+use freepath_harness::soak::QuantileSeries;
+use freepath_report::{Beside, Options, html};
 use std::path::PathBuf;
 
 const ATTACK: &str = "</script></title></svg>\"'><img src=x onerror=alert(1)>\u{202e}\u{0}\u{2028}]]>{{ 7 }}";
@@ -17,9 +18,13 @@ fn folder(name: &str) -> PathBuf {
 
 /// Writes everything in both forms, and looks at the page.
 fn survives(results: &Results, name: &str) -> String {
+    survives_beside(results, &Beside::default(), name)
+}
+
+fn survives_beside(results: &Results, beside: &Beside, name: &str) -> String {
     let out = folder(name);
     std::fs::create_dir_all(&out).unwrap();
-    write(results, None, &out).unwrap();
+    Options::default().write(results, beside, &out).unwrap();
     let page = std::fs::read_to_string(out.join("index.html")).unwrap();
     std::fs::remove_dir_all(&out).unwrap();
     page
@@ -50,15 +55,47 @@ fn attacked() -> Results {
         r.channels.iter_mut().for_each(|c| c.event = ATTACK.into());
         r.order.iter_mut().for_each(|o| o.rule = ATTACK.into());
         r.efficiency.iter_mut().for_each(|e| e.refusal = ATTACK.into());
+        r.facts.iter_mut().for_each(|f| (f.check, f.words) = (ATTACK.into(), ATTACK.into()));
+        r.law
+            .iter_mut()
+            .filter_map(|l| l.grown.as_mut())
+            .for_each(|g| (g.method, g.note) = (ATTACK.into(), ATTACK.into()));
+    }
+    for ranking in &mut results.rankings {
+        ranking.order.iter_mut().for_each(|r| r.id = ATTACK.into());
+        ranking.pairs.iter_mut().for_each(|p| (p.better, p.worse) = (ATTACK.into(), ATTACK.into()));
+        ranking.refused.iter_mut().for_each(|r| (r.id, r.why) = (ATTACK.into(), ATTACK.into()));
+        ranking.exact = vec![ATTACK.into()];
     }
     results
+}
+
+fn attacked_beside() -> Beside {
+    let mut beside = support::beside();
+    beside.left_out = vec![ATTACK.into()];
+    if let Some(power) = &mut beside.power {
+        (power.repro, power.version) = (ATTACK.into(), ATTACK.into());
+        for r in &mut power.rows {
+            (r.id, r.fault, r.medium, r.subject, r.expected) =
+                (ATTACK.into(), ATTACK.into(), ATTACK.into(), ATTACK.into(), ATTACK.into());
+            r.first.iter_mut().chain(&mut r.fired).for_each(|seen| seen.name = ATTACK.into());
+            r.ladder.iter_mut().for_each(|rung| rung.least = Some(ATTACK.into()));
+            r.as_expected = false;
+        }
+    }
+    if let Some(soak) = &mut beside.soak {
+        soak.repro = ATTACK.into();
+        soak.facts.iter_mut().for_each(|f| (f.subject, f.words) = (ATTACK.into(), ATTACK.into()));
+        soak.tests.iter_mut().for_each(|t| (t.test, t.null) = (ATTACK.into(), ATTACK.into()));
+    }
+    beside
 }
 
 #[test]
 fn no_text_becomes_markup() {
     let results = attacked();
     for results in [results.clone(), Results { results: without_faults(&results), ..results }] {
-        let page = survives(&results, "attack");
+        let page = survives_beside(&results, &attacked_beside(), "attack");
         for part in ["<img", "onerror=alert(1)>", "\u{202e}", "\u{2028}"] {
             let near = page.find(part).map(|at| page.get(at - 60..at + 60));
             assert_eq!(near, None, "{part}");
@@ -105,15 +142,51 @@ fn series(law: bool, mean: bool, x: Real, length: usize) -> Series {
         cdf: law.then(|| CdfSeries { t: many(), difference: many(), band: x, own: many() }),
         histogram: law.then(|| HistogramSeries { edges: many(), density: many(), expected: many(), escape: x, escape_expected: x }),
         residuals: law.then(|| ResidualSeries { edges: many(), residual: many(), escape: true }),
-        life_table: None,
+        life_table: law.then(|| LifeTable { edges: many(), ratio: many(), low: many(), high: many(), p: many(), ..LifeTable::default() }),
         running: mean.then(|| RunningSeries { draws: many(), mean: many(), half_width: many() }),
     }
+}
+
+/// Every series and number of what lies beside replaced.
+fn flooded_beside(value: f64, length: usize) -> Beside {
+    let mut beside = support::beside();
+    let x = Real(value);
+    let many = || QuantileSeries { expected: vec![x; length], observed: vec![x; length] };
+    if let Some(soak) = &mut beside.soak {
+        (soak.pooled, soak.family_level, soak.p_values, soak.runs) = (many(), x, length as u64, u64::MAX);
+        for t in &mut soak.tests {
+            (t.quantiles, t.shares, t.below, t.p_adjusted, t.p_values) = (many(), vec![x; length], x, x, u64::MAX);
+        }
+        soak.levels.iter_mut().for_each(|l| (l.level, l.both.designed, l.both.p_adjusted) = (x, x, x));
+    }
+    if let Some(power) = &mut beside.power {
+        power.stage_alpha = x;
+        for r in &mut power.rows {
+            (r.needed, r.draws) = (Some(length as u64), if length > 3 { u64::MAX } else { 0 });
+            r.ladder.iter_mut().for_each(|rung| rung.least_p = Some(x));
+        }
+    }
+    beside
+}
+
+#[test]
+fn a_p_value_or_ratio_that_is_not_a_number_is_never_called_right() {
+    let mut results = some();
+    results.results.retain(|r| r.law.is_some() && r.faults.is_empty());
+    results.results.truncate(1);
+    results.results[0].series.life_table.iter_mut().for_each(|t| t.p.fill(Real(f64::NAN)));
+    let page = html(&results, None).unwrap();
+    assert!(page.contains("Life table: the law breaks in 16 of 16 rows"));
+    let mut beside = support::beside();
+    beside.soak.iter_mut().flat_map(|s| &mut s.levels).for_each(|l| l.stage_1.p_adjusted = Real(f64::NAN));
+    let page = Options::default().html(&results, &beside).unwrap();
+    assert!(page.contains("<tr class=\"rejected\"><th scope=\"row\">stage 1 rejects something"));
 }
 
 #[test]
 fn no_number_breaks_a_plot() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, -1.0, 5e-324, 1e-300, 1e308, -1e308] {
-        survives(&flooded(value, 7), "numbers");
+        survives_beside(&flooded(value, 7), &flooded_beside(value, 9), "numbers");
     }
     assert!(html(&flooded(f64::NAN, 7), None).unwrap().contains("not finite"));
 }
@@ -121,7 +194,7 @@ fn no_number_breaks_a_plot() {
 #[test]
 fn no_length_breaks_a_plot() {
     for length in [0, 1, 2, 3, 5000] {
-        survives(&flooded(1.5, length), "lengths");
+        survives_beside(&flooded(1.5, length), &flooded_beside(0.5, length), "lengths");
     }
 }
 
@@ -132,6 +205,7 @@ fn columns_of_unequal_length_are_drawn_as_far_as_they_go() {
         r.series.cdf.iter_mut().for_each(|s| s.t.truncate(9));
         r.series.histogram.iter_mut().for_each(|s| s.density.truncate(3));
         r.series.residuals.iter_mut().for_each(|s| s.edges.truncate(5));
+        r.series.life_table.iter_mut().for_each(|s| s.low.truncate(2));
         r.series.running.iter_mut().for_each(|s| s.half_width.clear());
     }
     survives(&results, "unequal");

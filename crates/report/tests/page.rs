@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::{Options, html, json, run_id};
+use freepath_report::{Beside, Options, html, json, run_id};
 use std::collections::HashSet;
 
 /// What follows `before` up to the next quote, at every place.
@@ -70,6 +70,103 @@ fn the_page_says_what_was_found() {
     assert_eq!(page.matches(" open>\n<summary>").count(), odd);
 }
 
+/// A subject's section.
+fn section<'a>(page: &'a str, before: &str, of: impl Fn(&str) -> bool) -> Option<&'a str> {
+    page.split(before).skip(1).find(|part| of(part))
+}
+
+#[test]
+fn a_subject_tells_its_facts_its_reasons_and_what_is_shown_only() {
+    let (results, timings) = support::run();
+    let page = html(&results, Some(&timings)).unwrap();
+    let nan =
+        section(&page, "<details class=\"subject\"", |s| s.contains("with one_nan_in_a_million</h3>")).unwrap();
+    assert!(
+        nan.contains("Usual causes:") && nan.contains("ln(u) with u in [0, 1)") && nan.contains("What to do:")
+    );
+    assert!(nan.contains("<th scope=\"row\">finite</th><td>1</td><td>1 of 1048576 draws is not a number</td>"));
+    let short = section(&page, "<details class=\"subject\"", |s| s.contains("with short_majorant</h3>")).unwrap();
+    for words in
+        ["Life table: the law breaks in 8 of 16 rows", "Where along the ray it breaks", "shown, not judged"]
+    {
+        assert!(short.contains(words), "{words}");
+    }
+    let right =
+        section(&page, "<details class=\"subject\"", |s| s.contains("delta_tracking form carry</h3>")).unwrap();
+    for words in ["in none of the 16 rows", "an extinction 0.63 % too large", "probability off by 8 %", "proven"] {
+        assert!(right.contains(words), "{words}");
+    }
+    assert!(!right.contains("Where along the ray it breaks"), "the life table of a pass is not drawn");
+}
+
+#[test]
+fn a_winner_is_named_only_where_all_others_are_worse_for_certain() {
+    let (mut results, _) = support::run();
+    assert!(html(&results, None).unwrap().contains("There is no winner: "));
+    for pair in results.rankings.iter_mut().flat_map(|r| &mut r.pairs) {
+        (pair.decided, pair.low) = (true, 0.05.into());
+    }
+    let page = html(&results, None).unwrap();
+    assert!(!page.contains("There is no winner: ") && page.contains("less than each other one for certain"));
+    results.rankings[0].pairs[0].low = (-0.01).into();
+    assert!(html(&results, None).unwrap().contains("There is no winner: "), "the interval holds equal work");
+    results.rankings[0].pairs.clear();
+    assert!(html(&results, None).unwrap().contains("There is no winner: "), "nothing was compared");
+}
+
+#[test]
+fn power_and_soak_are_shown_where_they_lie_beside() {
+    let (results, _) = support::run();
+    let without = html(&results, None).unwrap();
+    assert!(!without.contains("id=\"power\"") && without.contains("p-values of this run"));
+    let mut beside = support::beside();
+    beside.left_out = vec!["soak.json cannot be read <here>.".into()];
+    let page = Options::default().html(&results, &beside).unwrap();
+    for words in [
+        "Faults that must be caught",
+        "Innocent settings, which hide the fault from every test",
+        "chi square 64: wrong law",
+        "audit (fact)",
+        "0.02 (coleman)",
+        "No fault needs more than 8,192 draws",
+        "A level is broken.",
+        "p-values of the soak",
+        "both reject the same subject, which fails",
+        "exact (seed 9): a draw lies outside the ray",
+        "soak.json cannot be read &#60;here&#62;.",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(page.len() - without.len() < 150_000, "{}", page.len() - without.len());
+}
+
+#[test]
+fn a_fault_that_is_not_caught_is_not_passed_over() {
+    let (results, _) = support::run();
+    let mut beside = support::beside();
+    for row in beside.power.iter_mut().flat_map(|p| &mut p.rows).take(1) {
+        (row.needed, row.as_expected) = (None, false);
+    }
+    let page = Options::default().html(&results, &beside).unwrap();
+    assert!(
+        page.contains("4 of 5 rows are as they must be. A fault counts") && page.contains("more than 1,048,576")
+    );
+}
+
+#[test]
+fn the_p_values_of_a_run_are_those_of_right_subjects() {
+    let (mut results, _) = support::run();
+    let of = |results: &freepath_harness::results::Results| {
+        let page = html(results, None).unwrap();
+        let words = page.split("p-values by which stage 1 judged").next().unwrap();
+        words.rsplit("The ").next().unwrap().trim().replace(',', "").parse::<usize>().unwrap()
+    };
+    let before = of(&results);
+    let right = results.results.iter().position(|r| r.verdict.to_string() == "pass" && r.law.is_some()).unwrap();
+    results.results[right].faults.push("short_majorant".into());
+    assert_eq!(of(&results), before - 4, "four tests are judged and one is shown only");
+}
+
 #[test]
 fn a_large_run_stays_under_eight_megabytes() {
     let (results, timings) = support::run();
@@ -90,12 +187,12 @@ fn the_same_results_give_the_same_page() {
 fn timings_of_another_run_are_left_out() {
     let (results, timings) = support::run();
     let options = Options { run: Some("another".into()), ..Options::default() };
-    assert!(!options.html(&results, Some(&timings)).unwrap().contains("on 8 threads"));
+    assert!(!options.html(&results, &Beside::timed(Some(&timings))).unwrap().contains("on 8 threads"));
 }
 
 #[test]
 fn a_page_without_plots_beside_it_does_not_link_to_them() {
     let (results, _) = support::run();
     let options = Options { png: false, svg: false, run: None };
-    assert!(!options.html(&results, None).unwrap().contains("href=\"plots/"));
+    assert!(!options.html(&results, &Beside::default()).unwrap().contains("href=\"plots/"));
 }

@@ -1,45 +1,40 @@
-//! The exposure score: draws of a medium that is denser or thinner by a factor.
+//! The exposure score at its fewest collisions: draws that lean by their score, through the test itself.
 
 use crate::Effort;
 use crate::table::Row;
-use freepath_calibration::multinomial::quantile;
-use freepath_calibration::tail::Tail;
-use freepath_estimators::random::exponential;
+use freepath_calibration::finite::Finite;
 use freepath_harness::law::Law;
-use freepath_harness::special::normal_two_sided;
+use freepath_harness::special::normal_quantile;
 use freepath_harness::tally::CellTally;
 use freepath_harness::test::exposure;
 use freepath_harness::verdict::Reason;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
-    let row = |(depth, draws): (f64, usize)| {
-        let setting = format!("depth {depth:.1}, {draws} draws");
-        let few = Effort { replicates: effort.replicates / 40, ..effort };
-        Row::new("exposure", setting, true, |level| {
-            [-1.0, 1.0].map(|sign| tail(depth, draws, sign, level, few)).into()
-        })
-    };
-    [(8.0, 100_100), (0.5, 255_000)].map(row).into()
+    [0.05, 1.0, 12.0].into_iter().map(|depth| row(effort, depth)).collect()
 }
 
-fn tail(depth: f64, draws: usize, sign: f64, level: f64, effort: Effort) -> Tail {
+fn row(effort: Effort, depth: f64) -> Row {
     let law = Law::new(1.0, 0.0, |t| libm::exp(-depth * t));
-    let z = quantile(normal_two_sided, level);
-    let factor = 1.0 + sign * z / (draws as f64 * law.collided()).sqrt();
-    Tail::measure(effort.seed, effort.replicates, |rng| {
-        let (mut m, mut travelled) = (0.0, 0.0);
-        let mut one = |_| {
-            let tau = exponential(rng) / factor;
-            let collides = tau < depth;
-            m += f64::from(u8::from(collides));
-            travelled += if collides { tau } else { depth };
-            if collides { tau / depth } else { f64::INFINITY }
+    let n = (1.001e5 / law.collided()) as u64;
+    let score = |k: usize| 1.0 - depth * 0.5 * (law.edge(k) + law.edge(k + 1));
+    let mut points: Vec<f64> = (0..law.cells()).map(score).collect();
+    let mut mass: Vec<f64> = (0..law.cells()).map(|k| law.mass(k)).collect();
+    points.push(-depth);
+    mass.push(law.atom());
+    let scores = Finite { points, mass };
+    let setting = format!("depth {depth}, {n} draws");
+    let fewer = effort.replicates / 16;
+    Row::new("exposure", setting, true, |level| {
+        let side = |sign: f64| {
+            let leaning = scores.leaning_mean(n, sign * normal_quantile(0.5 * level) / (n as f64).sqrt());
+            leaning.probability(effort.seed, fewer, |counts| {
+                let mut tally = CellTally::new(&law);
+                tally.cells.copy_from_slice(&counts[..law.cells()]);
+                tally.escapes = counts[law.cells()];
+                let evidence = exposure(&law, &tally, Reason::WrongLaw);
+                evidence.statistic * sign > 0.0 && evidence.p.is_some_and(|p| !(p > level))
+            })
         };
-        let t: Vec<f64> = (0..draws).map(&mut one).collect();
-        let mut tally = CellTally::new(&law);
-        tally.observe(&law, &t, &mut Vec::new());
-        let evidence = exposure(&law, &tally, Reason::WrongLaw);
-        let there = evidence.statistic * sign > 0.0 && evidence.p.is_some_and(|p| !(p > level));
-        if there { libm::exp((factor - 1.0) * travelled - m * libm::log(factor)) } else { 0.0 }
+        vec![side(-1.0), side(1.0)]
     })
 }

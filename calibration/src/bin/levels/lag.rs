@@ -17,7 +17,7 @@ use rand::Rng;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (draws, deep) in [(1001, false), (4096, false), (16_384, false), (1001, true), (16_384, true)] {
+    for (draws, deep) in [(2001, false), (16_384, false), (2001, true), (16_384, true)] {
         let root = ((draws - 1) as f64).sqrt();
         let skewness = |depth: f64| {
             let s = Scores::new(&law(depth)).skewness();

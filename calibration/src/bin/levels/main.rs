@@ -13,6 +13,7 @@ mod lag;
 mod lookups;
 mod means;
 mod neyman;
+mod null_positions;
 mod pairs;
 mod pearson;
 mod second_moment;
@@ -48,15 +49,16 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 9] = [
+const TESTS: [(&str, Measure); 10] = [
     ("chi_square", pearson::rows),
+    ("null_positions", null_positions::rows),
+    ("exposure", exposure::rows),
     ("mean", means::rows),
     ("second_moment", second_moment::rows),
     ("lookups", lookups::rows),
     ("lag", lag::rows),
     ("pairs", pairs::rows),
     ("neyman", neyman::rows),
-    ("exposure", exposure::rows),
     ("kolmogorov", kolmogorov::rows),
 ];
 

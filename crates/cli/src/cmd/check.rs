@@ -2,6 +2,7 @@
 
 use crate::args::{Check, Kind, When};
 use crate::cmd::run::judge;
+use crate::program;
 use crate::trouble::Trouble;
 use freepath_estimators::simd;
 use freepath_harness::case::{
@@ -69,7 +70,7 @@ fn name(value: &impl serde::Serialize) -> String {
 fn repro(args: &Check) -> String {
     let kind = clap::ValueEnum::to_possible_value(&args.kind);
     let flag = |name: &str, value: &str| format!("--{name} {}", quoted(value));
-    let mut words = vec!["freepath check".to_string(), quoted(&args.samples)];
+    let mut words = vec![quoted(program::name()), "check".to_string(), quoted(&args.samples)];
     words.push(flag("case", &args.case.display().to_string()));
     words.extend(kind.map(|kind| flag("as", kind.get_name())));
     words.extend(args.column.as_ref().map(|name| flag("column", name)));

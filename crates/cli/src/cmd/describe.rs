@@ -2,8 +2,8 @@
 
 use crate::args::Describe;
 use crate::reference::{Entry, Field, entries};
-use crate::screen;
 use crate::trouble::Trouble;
+use crate::{program, screen};
 use freepath_harness::test::family;
 
 /// Prints all that is known of a name; of each, if it names several things. A test goes by the names of its claims as well:
@@ -56,5 +56,8 @@ fn unknown(name: &str, entries: &[Entry]) -> Trouble {
     let nearest = near.min().filter(|(distance, _)| *distance <= name.chars().count().div_ceil(3));
     let hint = nearest.map(|(_, near)| format!("did you mean `{near}`? ")).unwrap_or_default();
     let name = screen::cell(name, 60);
-    Trouble::unusable(format!("cannot describe `{name}`: there is no such name ({hint}`freepath list` shows all)"))
+    Trouble::unusable(format!(
+        "cannot describe `{name}`: there is no such name ({hint}`{} list` shows all)",
+        program::name()
+    ))
 }

@@ -3,7 +3,7 @@
 use crate::args::{Microscope, When};
 use crate::screen::{self, cell};
 use crate::trouble::Trouble;
-use crate::{cases, filter};
+use crate::{cases, filter, program};
 use freepath_harness::case::{Commands, Limits, Prepared, PreparedSubject};
 use freepath_harness::microscope::{Focus, LEVEL, Sight, look};
 use freepath_harness::run::id;
@@ -32,7 +32,8 @@ pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> 
     let Focus { points, scrambles, seed } = focus;
     screen::print(&format!(
         "{scrambles} scrambles of {points} points, seed {seed}; an interval misses the bias with a probability of {LEVEL}. Advisory: \
-         `freepath run` judges.\n"
+         `{} run` judges.\n",
+        program::name()
     ))?;
     Ok(0)
 }

@@ -4,7 +4,9 @@ use crate::args::Report;
 use crate::files;
 use crate::screen::{self, cell};
 use crate::trouble::Trouble;
-use freepath_harness::results::{Results, SCHEMA_VERSION, Timings};
+use freepath_harness::results::{POWER_SCHEMA_VERSION, PowerResults, Results, SCHEMA_VERSION};
+use freepath_harness::soak::{SOAK_VERSION, SoakResults};
+use freepath_report::Beside;
 use serde::de::DeserializeOwned;
 use std::fs::{self, File};
 use std::io::Read;
@@ -12,33 +14,66 @@ use std::path::Path;
 
 /// The longest results.json that is read, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
+/// The longest file that is read beside it.
+const MOST_BESIDE: u64 = 64 << 20;
 
 /// Writes the report of the results beside them, or where it is told to.
 pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
-    let text = text(&args.results).map_err(Trouble::unusable)?;
+    let text = text(&args.results, MOST_BYTES).map_err(Trouble::unusable)?;
     let results = parsed(&args.results, &text).map_err(Trouble::unusable)?;
     let folder = match args.results.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     // Timings that are missing or unreadable are left out: they add to a report and decide nothing.
-    let beside = self::text(&folder.join("timings.json")).unwrap_or_default();
-    let timings = serde_json::from_str(&beside).ok();
+    let clock = self::text(&folder.join("timings.json"), MOST_BESIDE).unwrap_or_default();
+    let beside = Beside { timings: serde_json::from_str(&clock).ok(), ..beside(folder) };
     let out = args.out.as_deref().unwrap_or(folder);
     files::open(out)?;
-    page(&results, &freepath_report::run_id(&text), timings.as_ref(), out)?;
+    page(&results, &freepath_report::run_id(&text), &beside, out)?;
     screen::print(&format!("report: {}\n", out.join("index.html").display()))?;
     Ok(0)
 }
 
 /// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
-pub(crate) fn page(results: &Results, run: &str, timings: Option<&Timings>, out: &Path) -> Result<(), Trouble> {
+pub(crate) fn page(results: &Results, run: &str, beside: &Beside, out: &Path) -> Result<(), Trouble> {
     let options = freepath_report::Options { run: Some(run.to_string()), ..Default::default() };
-    options.write(results, timings, out).map_err(|why| Trouble::Running(why.to_string()))
+    options.write(results, beside, out).map_err(|why| Trouble::Running(why.to_string()))
+}
+
+/// What `freepath power` and `freepath soak` left in `folder`. What cannot be read is left out, and the page says so.
+pub(crate) fn beside(folder: &Path) -> Beside {
+    let mut left_out = Vec::new();
+    let power = optional(folder, "power.json", |of: &PowerResults| of.schema_version == POWER_SCHEMA_VERSION);
+    let soak = optional(folder, "soak.json", |of: &SoakResults| of.schema_version == SOAK_VERSION);
+    let mut left = |why| left_out.push(why);
+    let (power, soak) = (power.map_err(&mut left).ok().flatten(), soak.map_err(&mut left).ok().flatten());
+    Beside { power, soak, left_out, ..Beside::default() }
+}
+
+/// The file of this name, if there is one; the error has no path, since it stands in the page.
+fn optional<T: DeserializeOwned>(
+    folder: &Path,
+    name: &str,
+    known: impl Fn(&T) -> bool,
+) -> Result<Option<T>, String> {
+    let path = folder.join(name);
+    if !path.try_exists().unwrap_or(true) {
+        return Ok(None);
+    }
+    let text = text(&path, MOST_BESIDE)
+        .map_err(|_| format!("{name} lies beside the results and is not shown: it cannot be read."))?;
+    match serde_json::from_str(&text) {
+        Ok(of) if known(&of) => Ok(Some(of)),
+        Ok(_) => {
+            Err(format!("{name} lies beside the results and is not shown: another version of freepath wrote it."))
+        }
+        Err(_) => Err(format!("{name} lies beside the results and is not shown: it is not what freepath writes.")),
+    }
 }
 
 /// The text of a regular file of bounded length.
-fn text(path: &Path) -> Result<String, String> {
+fn text(path: &Path, most: u64) -> Result<String, String> {
     let cannot = |why: &dyn std::fmt::Display| format!("cannot read {}: {why}", path.display());
     let about = fs::metadata(path).map_err(|why| cannot(&why))?;
     if !about.is_file() {
@@ -46,9 +81,9 @@ fn text(path: &Path) -> Result<String, String> {
     }
     let mut text = String::new();
     let file = File::open(path).map_err(|why| cannot(&why))?;
-    file.take(MOST_BYTES + 1).read_to_string(&mut text).map_err(|why| cannot(&why))?;
-    match text.len() as u64 > MOST_BYTES {
-        true => Err(cannot(&format!("it has more than {MOST_BYTES} bytes"))),
+    file.take(most + 1).read_to_string(&mut text).map_err(|why| cannot(&why))?;
+    match text.len() as u64 > most {
+        true => Err(cannot(&format!("it has more than {most} bytes"))),
         false => Ok(text),
     }
 }

@@ -10,6 +10,7 @@ use freepath_harness::case::Prepared;
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;
 use freepath_harness::run::{self, Outcome, exit_code};
+use freepath_report::Beside;
 use std::io::{IsTerminal, stdout};
 use std::time::Instant;
 
@@ -67,6 +68,6 @@ fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result
     files::write(&args.out.join("results.json"), text)?;
     files::write(&args.out.join("timings.json"), &clock)?;
     let results = serde_json::from_str(text).map_err(running)?;
-    let timings = serde_json::from_str(&clock).map_err(running)?;
-    report::page(&results, &run, Some(&timings), &args.out)
+    let timings = Some(serde_json::from_str(&clock).map_err(running)?);
+    report::page(&results, &run, &Beside { timings, ..report::beside(&args.out) }, &args.out)
 }

@@ -3,7 +3,7 @@
 use crate::args::{Soak, When};
 use crate::progress::Bar;
 use crate::trouble::Trouble;
-use crate::{cases, files, filter, screen, signal};
+use crate::{cases, files, filter, program, screen, signal};
 use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, quoted};
 use freepath_harness::soak::{self, Options, SoakResults};
@@ -67,7 +67,7 @@ fn soaked(args: &Soak, cases: &[Prepared], cancelled: &AtomicBool) -> Result<Soa
 
 /// The command with every flag that the results depend on.
 fn repro(args: &Soak) -> String {
-    let mut words = vec!["freepath soak".to_string()];
+    let mut words = vec![quoted(program::name()), "soak".to_string()];
     match args.quick {
         true => words.push("--quick".into()),
         false => words.extend(args.paths.iter().map(|path| quoted(&path.display().to_string()))),

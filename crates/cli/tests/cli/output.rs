@@ -160,3 +160,35 @@ fn a_report_can_be_written_again() {
     assert_eq!(run(&folder, &["report", "reports/results.json", "--out", "other"]).0, 0);
     assert!(folder.join("other/index.html").exists());
 }
+
+#[test]
+fn what_power_and_soak_left_in_the_folder_is_shown_or_said_to_be_left_out() {
+    let folder = with_good("beside");
+    let page = || fs::read_to_string(folder.join("reports/index.html")).unwrap();
+    assert_eq!(run(&folder, &["soak", "cases", "--runs", "2", "--draws", "1000", "--quiet"]).0, 0);
+    assert_eq!(run(&folder, &["power", "cases", "--draws", "512", "--quiet"]).0, 0);
+    assert_eq!(run(&folder, &["run", "--quiet"]).0, 0);
+    assert!(page().contains("Power: what it takes") && page().contains("2 full judgements of 2 right subjects"));
+    assert!(!page().contains("not shown: "));
+
+    let soak = fs::read_to_string(folder.join("reports/soak.json")).unwrap();
+    let of_later = soak.replacen("\"schema_version\": 1", "\"schema_version\": 2", 1);
+    assert_ne!(of_later, soak);
+    put(&folder, "reports/soak.json", &of_later);
+    put(&folder, "reports/power.json", "{ \"rows\": [<script>");
+    assert_eq!(run(&folder, &["run", "--quiet"]).0, 0);
+    assert!(
+        page()
+            .contains("soak.json lies beside the results and is not shown: another version of freepath wrote it.")
+    );
+    assert!(
+        page().contains("power.json lies beside the results and is not shown: it is not what freepath writes.")
+    );
+
+    fs::remove_file(folder.join("reports/power.json")).unwrap();
+    fs::create_dir(folder.join("reports/power.json")).unwrap();
+    fs::remove_file(folder.join("reports/soak.json")).unwrap();
+    assert_eq!(run(&folder, &["report", "reports/results.json"]).0, 0);
+    assert!(page().contains("power.json lies beside the results and is not shown: it cannot be read."));
+    assert!(!page().contains("soak.json"));
+}

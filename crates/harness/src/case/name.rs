@@ -37,9 +37,12 @@ impl Subject {
         }
         match (&self.free_path, &self.transmittance, &self.chromatic) {
             (Some(F::Listed(sampler)), ..) => Work::FreePath(&**sampler),
+            (Some(F::Brought(sampler)), ..) => Work::FreePath(sampler.subject()),
             (_, Some(T::Listed(estimator)), _) => Work::Transmittance(&**estimator),
+            (_, Some(T::Brought(estimator)), _) => Work::Transmittance(estimator.subject()),
             (_, Some(T::ClosedForm(_)), _) => Work::ClosedForm,
             (_, _, Some(C::Listed(sampler))) => Work::Chromatic(&**sampler),
+            (_, _, Some(C::Brought(sampler))) => Work::Chromatic(sampler.subject()),
             _ => Work::Exact,
         }
     }

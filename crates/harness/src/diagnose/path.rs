@@ -31,6 +31,12 @@ pub(super) fn written(path: &[Step]) -> String {
     steps.strip_prefix('.').unwrap_or(&steps).to_owned()
 }
 
+/// A written path, and one that goes on from its end.
+pub(super) fn joined(path: &str, rest: &str) -> String {
+    let dot = if path.is_empty() || rest.is_empty() || rest.starts_with('[') { "" } else { "." };
+    format!("{path}{dot}{rest}")
+}
+
 /// What to call the value at the end of `path`: `edges[2]`, or `the file` for the whole.
 pub(super) fn last_name(path: &[Step]) -> String {
     let from = path.iter().rposition(|step| matches!(step, Step::Key(_))).unwrap_or(0);

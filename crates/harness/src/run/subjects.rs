@@ -158,7 +158,8 @@ fn repro(case: &Prepared, id: &str, options: &Options) -> String {
         None if options.repro.is_empty() => "",
         None => return options.repro.clone(), // nothing is drawn: the command is about this subject alone
     };
-    format!("freepath run {} --filter {id}{flags}", quoted(&case.file))
+    let program = options.repro.split(' ').next().filter(|word| !word.is_empty()).unwrap_or("freepath");
+    format!("{program} run {} --filter {id}{flags}", quoted(&case.file))
 }
 
 fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {

@@ -14,7 +14,8 @@ wrong majorant that leaves the distance right still shows here.";
 /// A(z) = int_0^z (mu_bar - mu)
 /// ```
 ///
-/// `null_depth` is A. Chi-square over (collisions, group of t) with each cell expecting 50 draws or more.
+/// `null_depth` is A. Chi-square over (collisions, group of t or escape) with each cell expecting 50 draws or more; under a
+/// majorant that mu meets everywhere, where A is 0, one null collision is enough.
 #[must_use]
 pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, reason: Reason) -> Evidence {
     let groups = CountTally::groups(law);
@@ -25,7 +26,15 @@ pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, r
     }
     mass.extend(pmf_or_none(null_depth(law.length()), tally.rows()).iter().map(|p| p * law.atom()));
     observed.extend((0..tally.rows()).map(|n| tally.count(n, tally.columns() - 1)));
+    if null_depth(law.length()) <= 0.0 && law.slack() <= 0.0 && impossible(&observed, &mass) {
+        return Evidence::new("coleman", f64::INFINITY, None, 0.0, reason);
+    }
     pooled("coleman", &observed, &mass, 2.0 * law.slack(), reason)
+}
+
+/// Whether a draw lies where none can: cells of no probability join others where counts are compared.
+fn impossible(observed: &[u64], mass: &[f64]) -> bool {
+    observed.iter().zip(mass).any(|(&o, &p)| o > 0 && p <= 0.0)
 }
 
 /// P(n collisions, t in the fine cells from..to), n = 0, 1, ..: Simpson's rule over A in steps of one cell or more, over which
@@ -80,4 +89,38 @@ fn pmf_or_none(mean: f64, rows: usize) -> Vec<f64> {
     let mut none = vec![0.0; rows];
     none[0] = 1.0;
     none
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use freepath_estimators::random::{exponential, uniform};
+
+    /// Draws under a constant mu of 1 and a majorant `mu_bar`; `more` are added to the collisions of a draw that escapes.
+    fn p(mu_bar: f64, more: impl Fn(f64) -> u32) -> Option<f64> {
+        let law = Law::new(1.5, 0.0, |t| libm::exp(-t));
+        let (mut rng, mut t, mut collisions) = (freepath_estimators::Key::default().rng(), vec![], vec![]);
+        for _ in 0..60_000 {
+            let (mut at, mut n) = (exponential(&mut rng) / mu_bar, 0);
+            while at < 1.5 && uniform(&mut rng) * mu_bar >= 1.0 {
+                (at, n) = (at + exponential(&mut rng) / mu_bar, n + 1);
+            }
+            let escapes = at >= 1.5;
+            t.push(if escapes { f64::INFINITY } else { at });
+            collisions.push(if escapes { n + more(uniform(&mut rng)) } else { n + 1 });
+        }
+        let (mut cells, mut index) = (crate::tally::CellTally::new(&law), Vec::new());
+        cells.observe(&law, &t, &mut index);
+        let mut tally = CountTally::joint(&law);
+        tally.observe(&collisions, &index);
+        coleman(&law, &tally, |t| (mu_bar - 1.0) * t, Reason::WrongLaw).p
+    }
+
+    #[test]
+    fn the_collisions_of_escapes_count_as_well() {
+        for mu_bar in [1.0, 1.3, 3.0] {
+            assert!(p(mu_bar, |_| 0) > Some(1e-3), "{mu_bar}");
+            assert!(p(mu_bar, |u| u32::from(u < 0.2)) < Some(1e-9), "{mu_bar}");
+        }
+    }
 }

@@ -14,7 +14,7 @@ pub const NULLS: &[(&str, &[&str])] = &[
     ("kuiper", &["uniform"]),
     ("berk_jones", &["conservative"]),
     ("exposure", &["uniform"]),
-    ("neyman_16", &["uniform"]),
+    ("neyman_16", &["uniform", "conservative"]),
     ("coleman", &["uniform"]),
     ("poisson_count", &["uniform"]),
     ("ties", &["conservative"]),

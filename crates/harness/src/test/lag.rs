@@ -11,6 +11,9 @@ its exact variance and skewness, beside what their own mean gives.";
 pub(super) const FURTHER: &str = "Draws two to eight places apart in drawing order are uncorrelated: the sum of the seven squared \
 standardised lag products is chi-square. One p-value for all, since a repeat of any period weighs in; the note names the worst lag.";
 
+/// Fewest pairs: of 1000, as skew as the gate allows, p-values of 1e-7 come twice too often.
+const FEWEST_PAIRS: u64 = 2000;
+
 /// Lag-1 correlation in drawing order.
 ///
 /// ```text
@@ -33,8 +36,8 @@ pub fn lag_observed(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evi
 
 fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew): (f64, f64)) -> Evidence {
     let withheld = |z: f64, why: &str| Evidence::withheld("lag_1", z, Reason::Dependent, why);
-    if tally.pairs[0] < 1000 {
-        return withheld(f64::NAN, "fewer than 1000 pairs of draws");
+    if tally.pairs[0] < FEWEST_PAIRS {
+        return withheld(f64::NAN, &format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
     let (z, skewness) = product((variance, skew), tally, scores.mean_of(cells), 1);
     if !gate(skewness, 1.0).1 {
@@ -55,8 +58,8 @@ fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew):
 pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     let name = "lag_2_to_8";
     let withheld = |why: &str| Evidence::withheld(name, f64::NAN, Reason::Dependent, why);
-    if tally.pairs[LAGS - 1] < 1000 {
-        return withheld("fewer than 1000 pairs of draws");
+    if tally.pairs[LAGS - 1] < FEWEST_PAIRS {
+        return withheld(&format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
     let (spread, mean) = ((scores.variance(), scores.skewness()), scores.mean_of(cells));
     let all: Vec<_> = (2..=LAGS).map(|h| (h, product(spread, tally, mean, h))).collect();

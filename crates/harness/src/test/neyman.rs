@@ -1,5 +1,5 @@
 use super::chi_square::lessened;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
@@ -14,6 +14,8 @@ const ORDER: usize = 16;
 /// Collisions from which on the chi-square tail is trusted; there p-values of 1e-7 come 1.1 times as
 /// often as they should (`levels` of the calibration programs).
 const LEAST_COLLISIONS: u64 = 10_000;
+/// If every cell holds at most this part of the collisions, what varies inside them is not missed.
+const FINE: f64 = 1024.0;
 
 /// Neyman's smooth statistic on u = F(t) / F(length) of the m collided draws, which is independent of the escape atom.
 ///
@@ -39,7 +41,9 @@ pub fn neyman(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
         .enumerate()
         .fold((0, 0.0), |worst: (usize, f64), (j, &s)| if s.abs() > worst.1.abs() { (j + 1, s) } else { worst });
     let dof = ORDER as f64;
+    let coarse = (0..law.cells()).any(|k| law.mass(k) * FINE > law.collided());
     Evidence::new(name, statistic, Some(dof), chi_square_sf(dof, statistic), reason)
+        .under(if coarse { Null::Conservative } else { Null::Uniform })
         .noted(format!("largest component: {} with {:.2}", worst.0, worst.1))
 }
 

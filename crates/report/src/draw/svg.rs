@@ -6,14 +6,25 @@ use crate::ReportError;
 
 const STACK: &str = r#""DejaVu Sans", Verdana, sans-serif"#;
 
+/// What most shapes share, and the classes of the style sheet that say it.
+const SHARED: [(&str, &str); 3] = [
+    (r#"fill="none" stroke="var(--grid)" stroke-width="4""#, r#"class="g""#),
+    (r#"text-anchor="middle" font-size="46" fill="var(--muted)""#, r#"class="m""#),
+    (r#"text-anchor="end" font-size="46" fill="var(--muted)""#, r#"class="e""#),
+];
+
 /// For the page: colours are variables of the style sheet, the size is left to it, and scripts find the axes.
 pub(crate) fn inline(picture: &Picture) -> Result<String, ReportError> {
     let mut body = body(picture)?;
     for ink in Ink::ALL {
         body = body.replace(&format!("\"{}\"", literal(ink)), &format!("\"var({})\"", ink.variable()));
     }
-    let data = escape(&frames(picture).to_string());
-    let open = format!(r#"<svg class="plot" viewBox="{}" role="img" data-plot="{data}">"#, view_box(picture));
+    for (long, short) in SHARED {
+        body = body.replace(long, short);
+    }
+    // In single quotes, which are escaped, double ones need not be.
+    let data = escape(&frames(picture).to_string()).replace("&quot;", "\"");
+    let open = format!(r#"<svg class="plot" viewBox="{}" role="img" data-plot='{data}'>"#, view_box(picture));
     Ok(format!("{open}<title>{}</title>{body}</svg>", escape(&picture.title)))
 }
 

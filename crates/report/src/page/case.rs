@@ -1,6 +1,7 @@
 //! One medium with its subjects.
 
 use super::figure::FigureView;
+use super::ranking::{self, RankingView};
 use super::subject::SubjectView;
 use crate::ReportError;
 use crate::figures::Figures;
@@ -18,6 +19,7 @@ pub(crate) struct CaseView {
     pub(crate) medium: String,
     pub(crate) parameters: String,
     pub(crate) figures: Vec<FigureView>,
+    pub(crate) ranking: Option<RankingView>,
     pub(crate) subjects: Vec<SubjectView>,
 }
 
@@ -35,6 +37,7 @@ impl CaseView {
             medium: case.medium.map_or_else(String::new, sentence),
             parameters: case.medium.map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
             figures: FigureView::all(figures.cases.get(i).unwrap_or(&none))?,
+            ranking: ranking::of(site, i),
             subjects: subjects.collect::<Result<_, _>>()?,
         })
     }

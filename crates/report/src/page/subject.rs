@@ -5,10 +5,13 @@ use super::matrix::Letter;
 use super::words;
 use crate::ReportError;
 use crate::figures::Drawn;
-use crate::number::{count, short};
+use crate::number::{count, probability, short};
 use crate::site::Subject;
 use crate::text::clean;
-use freepath_harness::results::TestResult;
+use freepath_harness::describe::advice;
+use freepath_harness::real::Real;
+use freepath_harness::results::{FactResult, SubjectResult, TestResult};
+use freepath_harness::verdict::Reason;
 
 /// Most notes and tests that are shown of one subject.
 const MOST: usize = 60;
@@ -22,17 +25,34 @@ pub(crate) struct SubjectView {
     pub(crate) name: String,
     pub(crate) sentence: String,
     pub(crate) verdict: String,
-    pub(crate) reasons: Vec<(&'static str, &'static str)>,
+    pub(crate) reasons: Vec<ReasonView>,
     pub(crate) notes: Vec<String>,
     pub(crate) measures: Vec<String>,
     pub(crate) expected: String,
     pub(crate) faults: String,
     pub(crate) draws: String,
     pub(crate) parameters: String,
+    pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
     pub(crate) repro: String,
     pub(crate) log: Vec<String>,
     pub(crate) figures: Vec<FigureView>,
+}
+
+/// A reason with what usually causes it.
+pub(crate) struct ReasonView {
+    pub(crate) code: &'static str,
+    pub(crate) words: &'static str,
+    pub(crate) causes: String,
+    pub(crate) advice: String,
+}
+
+/// One fact.
+pub(crate) struct FactRow {
+    pub(crate) check: String,
+    pub(crate) stage: u8,
+    pub(crate) code: &'static str,
+    pub(crate) words: String,
 }
 
 /// One test in one stage.
@@ -43,7 +63,8 @@ pub(crate) struct TestRow {
     pub(crate) dof: String,
     pub(crate) p: String,
     pub(crate) adjusted: String,
-    pub(crate) rejected: bool,
+    pub(crate) class: &'static str,
+    pub(crate) decision: &'static str,
     pub(crate) note: String,
 }
 
@@ -56,13 +77,14 @@ impl SubjectView {
             name: subject.name.clone(),
             sentence: words::verdict(result),
             verdict: result.verdict.to_string(),
-            reasons: result.reasons.iter().take(MOST).map(|r| (r.code(), r.words())).collect(),
-            notes: result.notes.iter().take(MOST).map(|note| clean(note, 600)).collect(),
+            reasons: result.reasons.iter().take(MOST).map(reason).collect(),
+            notes: notes(result),
             measures: measures(subject),
             expected: format!("{}{why}", clean(&crate::text::words(&result.expected), 120)),
             faults: clean(&crate::text::words(&result.faults.join(", ")), 200),
             draws: draws(subject),
             parameters: clean(&result.parameters.to_string(), 600),
+            facts: result.facts.iter().take(MOST).map(fact).collect(),
             tests: result.tests.iter().take(MOST).map(test).collect(),
             repro: clean(&result.repro, 1000),
             log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
@@ -71,14 +93,48 @@ impl SubjectView {
     }
 }
 
+fn reason(reason: &Reason) -> ReasonView {
+    let part = |name| paragraph(advice(*reason), name);
+    ReasonView { code: reason.code(), words: reason.words(), causes: part("Causes:"), advice: part("Do:") }
+}
+
+/// What the tables of tests and facts do not tell.
+fn notes(result: &SubjectResult) -> Vec<String> {
+    let facts = || result.facts.iter().take(MOST);
+    let tests = || result.tests.iter().take(MOST).filter(|test| test.rejected);
+    let of_test =
+        |note: &str| tests().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")));
+    let told = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
+    result.notes.iter().take(MOST).filter(|note| !told(note)).map(|note| clean(note, 600)).collect()
+}
+
+/// The paragraph of `text` that begins with `name`, in one line and with the full stop that ends it.
+fn paragraph(text: &str, name: &str) -> String {
+    let mut lines = text.lines().skip_while(|line| !line.starts_with(name));
+    let first = lines.next().and_then(|line| line.strip_prefix(name)).unwrap_or_default().trim();
+    let rest = lines.take_while(|line| line.starts_with(' '));
+    rest.fold(first.to_string(), |all, line| all + " " + line.trim()).replace('`', "")
+}
+
+fn fact(fact: &FactResult) -> FactRow {
+    FactRow {
+        check: clean(&crate::text::words(&fact.check), 60),
+        stage: fact.stage,
+        code: fact.reason.code(),
+        words: clean(&fact.words, 600),
+    }
+}
+
 fn measures(subject: &Subject) -> Vec<String> {
     let result = subject.result;
     let mut lines = result.mean.as_ref().map(words::mean).unwrap_or_default();
     lines.extend(result.law.as_ref().map(words::law).unwrap_or_default());
+    lines.extend(result.series.life_table.as_ref().and_then(words::life_table));
     for channel in result.channels.iter().take(MOST) {
         let name = format!("Channel {}, {}: ", channel.channel, clean(&channel.event, 40));
-        let sentence = words::mean(&channel.mean).swap_remove(0);
-        lines.push(name + &sentence.replacen("The mean", "the mean", 1));
+        let mut sentences = words::mean(&channel.mean);
+        lines.push(name + &sentences.remove(0).replacen("The mean", "the mean", 1));
+        lines.extend(channel.mean.grown.as_ref().and(sentences.pop()));
     }
     let time = subject.seconds.map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
     lines.push(words::audit(result) + &time);
@@ -100,15 +156,23 @@ fn draws(subject: &Subject) -> String {
 }
 
 fn test(test: &TestResult) -> TestRow {
-    let optional = |x: Option<freepath_harness::real::Real>| x.map_or_else(|| "–".into(), |x| short(x.0));
+    let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
+    let chance = |p| shown(p, probability);
+    let (class, decision) = match test {
+        TestResult { rejected: true, .. } => ("rejected", "rejected"),
+        TestResult { reported: true, .. } => ("reported", "shown, not judged"),
+        TestResult { p: None, .. } => ("reported", "not judged"),
+        _ => ("", "not rejected"),
+    };
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
         statistic: short(test.statistic.0),
-        dof: optional(test.dof),
-        p: optional(test.p),
-        adjusted: optional(test.p_adjusted),
-        rejected: test.rejected,
+        dof: shown(test.dof, short),
+        p: chance(test.p),
+        adjusted: chance(test.p_adjusted),
+        class,
+        decision,
         note: clean(&test.note, 300),
     }
 }

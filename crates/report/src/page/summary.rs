@@ -16,6 +16,8 @@ pub(crate) struct Summary {
     pub(crate) facts: Vec<(&'static str, String, String)>,
     pub(crate) repro: String,
     pub(crate) left_out: usize,
+    /// Files beside the results that are not shown.
+    pub(crate) unread: Vec<String>,
 }
 
 impl Summary {
@@ -31,6 +33,7 @@ impl Summary {
             facts: facts(site, run),
             repro: clean(&site.results.repro, 1000),
             left_out: site.left_out(),
+            unread: site.beside.left_out.iter().take(8).map(|why| clean(why, 300)).collect(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The table of all subjects.
 
 use super::words::{class, lookups};
-use crate::number::short;
+use crate::number::{probability, short};
 use crate::site::{Site, Subject};
 use crate::text::{clean, words};
 use freepath_harness::results::{MeanResult, SubjectResult};
@@ -55,7 +55,10 @@ impl Row {
             case: site.cases[subject.case].title.clone(),
             reasons: reasons(result),
             cells: vec![
-                Cell::new(smallest_p(result), same),
+                Cell {
+                    text: smallest_p(result).map_or_else(String::new, probability),
+                    ..Cell::new(smallest_p(result), same)
+                },
                 Cell::new(gap, f64::abs),
                 Cell::new(bound, same),
                 Cell::new(detectable, same),
@@ -79,9 +82,16 @@ pub(crate) fn reasons(result: &SubjectResult) -> String {
 
 /// The strongest evidence against a subject, in a few words.
 pub(crate) fn evidence(result: &SubjectResult) -> String {
+    if let Some(fact) = result.facts.first() {
+        return format!("{}: {}", clean(&words(&fact.check), 60), clean(&fact.words, 120));
+    }
     match result.tests.iter().filter(|t| t.rejected).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
         Some(test) => {
-            format!("{}: p = {}", clean(&words(&test.name), 60), test.p.map_or("none".into(), |p| short(p.0)))
+            format!(
+                "{}: p = {}",
+                clean(&words(&test.name), 60),
+                test.p.map_or("none".into(), |p| probability(p.0))
+            )
         }
         None => result.notes.first().map_or_else(String::new, |note| clean(note, 120)),
     }

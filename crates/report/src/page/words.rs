@@ -1,8 +1,8 @@
 //! Sentences of the page.
 
 use crate::number::{count, short};
-use crate::text::words;
-use freepath_harness::results::{LawResult, MeanResult, SubjectResult};
+use crate::text::{clean, words};
+use freepath_harness::results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult};
 use freepath_harness::verdict::Verdict;
 
 /// The letter of a verdict in the matrix.
@@ -47,10 +47,12 @@ pub(crate) fn mean(mean: &MeanResult) -> Vec<String> {
         "student_t" => "Student’s t",
         "skewness_corrected" => "a t interval corrected for skewness",
         "empirical_bernstein" => "an empirical Bernstein bound",
+        "betting" => "a betting confidence sequence",
+        "beta_binomial" => "a beta-binomial confidence sequence",
         "exact" => "an exact comparison, as the draws do not vary",
         _ => "the stated method",
     };
-    vec![
+    let found = vec![
         format!(
             "The mean is {} and should be {}: a bias of {}, between {} and {} by {method}.",
             digits6(mean.estimate.0),
@@ -64,7 +66,26 @@ pub(crate) fn mean(mean: &MeanResult) -> Vec<String> {
             short(mean.bound.0),
             short(mean.detectable.0)
         ),
-    ]
+    ];
+    found.into_iter().chain(mean.grown.as_ref().map(grown)).collect()
+}
+
+/// How draws that grew towards a bound came out.
+fn grown(grown: &Grown) -> String {
+    let outcome = match grown.outcome {
+        GrownOutcome::Proven => "proven",
+        GrownOutcome::Rejected => "rejected",
+        GrownOutcome::BudgetEnded => "the budget ended first",
+    };
+    format!(
+        "Draws grew to {} to show an error below {}: {outcome}. It is below {} at whatever number of draws one stops; p = {} against an \
+         error of 0. {}",
+        count(grown.draws),
+        short(grown.target.0),
+        short(grown.bound.0),
+        short(grown.p.0),
+        clean(&grown.note, 300)
+    )
 }
 
 fn digits6(x: f64) -> String {
@@ -74,7 +95,7 @@ fn digits6(x: f64) -> String {
 /// As [`mean`], for a law.
 pub(crate) fn law(law: &LawResult) -> Vec<String> {
     let atom = &law.atom;
-    vec![
+    let found = vec![
         format!(
             "The largest gap between the draws and the law is {}. The sampler’s own law may be off by as much as {}; \
              a gap above {} would have been seen with 90 % power.",
@@ -89,7 +110,41 @@ pub(crate) fn law(law: &LawResult) -> Vec<String> {
             short(atom.low.0),
             short(atom.high.0)
         ),
-    ]
+    ];
+    let more = [detectable(law), law.grown.as_ref().map(grown)];
+    found.into_iter().chain(more.into_iter().flatten()).collect()
+}
+
+/// The smallest errors of two plain kinds that would have been seen.
+fn detectable(law: &LawResult) -> Option<String> {
+    let percent = |x: freepath_harness::real::Real| short(100.0 * x.0);
+    let scale =
+        law.detectable_scale.map(|x| format!("an extinction {} % too large or too small everywhere", percent(x)));
+    let cell = law.detectable_cell.map(|x| format!("one cell of 64 with a probability off by {} %", percent(x)));
+    let kinds: Vec<String> = scale.into_iter().chain(cell).collect();
+    (!kinds.is_empty()).then(|| format!("Would also have been seen with 90 % power: {}.", kinds.join("; ")))
+}
+
+/// What a life table says, in a sentence.
+pub(crate) fn life_table(table: &LifeTable) -> Option<String> {
+    let rows = crate::plot::life_table::rows(table);
+    let all = rows.len();
+    let reached = rows.iter().filter(|row| row.ratio.is_finite()).count();
+    let mut broken: Vec<_> = rows.iter().filter(|row| row.broken).collect();
+    broken.sort_by(|a, b| (b.ratio - 1.0).abs().total_cmp(&(a.ratio - 1.0).abs()));
+    let Some(worst) = broken.first() else {
+        return (reached > 0).then(|| {
+            format!("Life table: in none of the {reached} rows along the ray that draws reach does the law break.")
+        });
+    };
+    Some(format!(
+        "Life table: the law breaks in {} of {all} rows along the ray. Between t = {} and {} the extinction looks {} times as large as \
+         it is.",
+        broken.len(),
+        short(worst.from),
+        short(worst.to),
+        short(worst.ratio)
+    ))
 }
 
 /// What the audit of look-ups found.

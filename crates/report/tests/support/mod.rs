@@ -1,10 +1,14 @@
 //! A made-up run, with everything a report can show. No number here was sampled by any estimator.
 
+mod beside;
 mod media;
 mod noise;
 mod subjects;
 
-use freepath_harness::results::{Results, SubjectTiming, Timings};
+pub(crate) use beside::beside;
+use freepath_harness::results::{
+    Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings,
+};
 use media::Medium;
 use noise::Noise;
 
@@ -40,8 +44,40 @@ pub(crate) fn run() -> (Results, Timings) {
         p_values: [1482, 214],
         repro: "freepath run cases --seed 20261122".into(),
         media: media.iter().map(Medium::result).collect(),
+        rankings: vec![ranking(&results, 1), ranking(&results, 2)],
         results,
-        rankings: Vec::new(),
     };
     (results, timings)
+}
+
+/// Four estimators of a medium, the third of which cannot be told from the first.
+fn ranking(results: &[SubjectResult], medium: usize) -> Ranking {
+    let ids = results.iter().filter(|r| r.medium == medium && r.kind == "transmittance").map(|r| r.id.clone());
+    let ids: Vec<String> = ids.take(4).collect();
+    let decided = |i: usize| i != 2;
+    let pair = |i: usize| RankedPair {
+        better: ids[0].clone(),
+        worse: ids[i].clone(),
+        log_ratio: (0.1 * i as f64).into(),
+        low: (if decided(i) { 0.05 } else { -0.05 }).into(),
+        high: (0.2 * i as f64).into(),
+        p: 1e-3.into(),
+        p_adjusted: 1e-2.into(),
+        decided: decided(i),
+    };
+    let ranked = |(i, id): (usize, &String)| Ranked {
+        id: id.clone(),
+        rank: i + 1,
+        work: (12.0 + i as f64).into(),
+        error: 0.004.into(),
+        method: "delta".into(),
+    };
+    Ranking {
+        medium,
+        level: 0.05.into(),
+        order: ids.iter().enumerate().map(ranked).collect(),
+        pairs: (1..ids.len()).map(pair).collect(),
+        exact: vec![ids[0].clone()],
+        refused: vec![Refused { id: ids[1].clone(), why: "the event is too rare".into() }],
+    }
 }

@@ -6,7 +6,7 @@ mod plans;
 
 use super::media::Medium;
 use super::noise::Noise;
-use freepath_harness::results::{AuditResult, OrderResult, Series, SubjectResult, TestResult};
+use freepath_harness::results::{AuditResult, FactResult, OrderResult, Series, SubjectResult, TestResult};
 use freepath_harness::verdict::{Reason, Verdict};
 use plans::Plan;
 use serde_json::json;
@@ -87,6 +87,10 @@ fn reject(result: &mut SubjectResult, plan: &Plan) {
     result.verdict = Verdict::Fail;
     result.reasons = vec![reason];
     result.draws_stage2 = 2 * DRAWS;
+    if plan.bias.is_nan() {
+        let words = "1 of 1048576 draws is not a number".to_string();
+        result.facts = vec![FactResult { check: "finite".into(), stage: 1, reason, words }];
+    }
     result.notes = vec![format!("{}: the claim was rejected in both stages.", reason.code())];
     let again: Vec<_> = result.tests.iter().map(|t| TestResult { stage: 2, ..t.clone() }).collect();
     result.tests.extend(again);

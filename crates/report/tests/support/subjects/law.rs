@@ -5,13 +5,17 @@ use super::super::noise::Noise;
 use super::plans::Plan;
 use super::{DRAWS, test};
 use freepath_harness::real::Real;
-use freepath_harness::results::{Atom, CdfSeries, HistogramSeries, LawResult, ResidualSeries, SubjectResult};
+use freepath_harness::results::{
+    Atom, CdfSeries, Grown, GrownOutcome, HistogramSeries, LawResult, LifeTable, ResidualSeries, SubjectResult,
+    TestResult,
+};
 use freepath_harness::verdict::Reason;
 
 pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     let distance = cdf(result, medium, plan, noise);
     histogram(result, medium, plan, noise);
     residuals(result, medium, plan, noise);
+    life_table(result, medium, plan, noise);
     let share = law(result, medium.escape(), distance, noise);
     let z = distance * libm::sqrt(DRAWS as f64);
     let p = libm::exp(-2.0 * z * z).min(0.9 - 0.3 * z.fract());
@@ -24,6 +28,12 @@ pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noi
         test("chi_square_64", squares, Some(63.0), seen, Reason::WrongLaw),
         test("escape_binomial", share, None, noise.uniform(), Reason::Biased),
         test("serial_correlation", z_serial, None, noise.uniform(), Reason::Dependent),
+        TestResult {
+            reported: true,
+            p_adjusted: None,
+            rejected: false,
+            ..test("kuiper", z, None, p, Reason::WrongLaw)
+        },
     ];
 }
 
@@ -53,15 +63,23 @@ fn law(result: &mut SubjectResult, escape: f64, distance: f64, noise: &mut Noise
         distance: distance.into(),
         bound: (distance + BAND).into(),
         detectable: (2.4 * BAND).into(),
-        detectable_scale: None,
-        detectable_cell: None,
+        detectable_scale: Some(0.0063.into()),
+        detectable_cell: Some(0.08.into()),
         atom: Atom {
             expected: escape.into(),
             estimate: share.into(),
             low: (share - 3.3 * error).into(),
             high: (share + 3.3 * error).into(),
         },
-        grown: None,
+        grown: Some(Grown {
+            draws: 4 * DRAWS,
+            outcome: GrownOutcome::Proven,
+            target: (2.0 * BAND).into(),
+            bound: (distance + BAND).into(),
+            p: 1.0.into(),
+            method: "dkw".into(),
+            note: "the bound is met".into(),
+        }),
     });
     share
 }
@@ -105,4 +123,25 @@ fn residuals(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &m
         residual: (0..=cells).map(|i| Real(noise.normal() + drift(i))).collect(),
         escape: true,
     });
+}
+
+/// Too few collisions in the second half, in proportion to the bias.
+fn life_table(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
+    let rows = 16;
+    let mut table = LifeTable { edges: vec![Real(0.0)], ..LifeTable::default() };
+    for i in 0..rows {
+        let share = f64::from(i) / f64::from(rows);
+        let width = 0.01 * (1.0 + 3.0 * share);
+        let off = if share < 0.5 { 0.0 } else { -8.0 * plan.bias };
+        let ratio = 1.0 + off + 0.2 * width * noise.normal();
+        table.edges.push((medium.length * (share + 1.0 / f64::from(rows))).into());
+        table.at_risk.push(DRAWS);
+        table.collisions.push(DRAWS / 20);
+        table.expected.push((DRAWS as f64 / 20.0).into());
+        table.ratio.push(ratio.into());
+        table.low.push((ratio - width).into());
+        table.high.push((ratio + width).into());
+        table.p.push(if off.abs() > width { Real(1e-20) } else { Real(noise.uniform()) });
+    }
+    result.series.life_table = Some(table);
 }

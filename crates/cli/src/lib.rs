@@ -1,0 +1,140 @@
+//! The command line: `freepath run`, and what goes with it, for programs that bring subjects of their own.
+
+mod args;
+mod cases;
+mod cmd;
+mod files;
+mod filter;
+mod number;
+mod program;
+mod progress;
+mod reference;
+mod screen;
+mod session;
+mod signal;
+mod table;
+mod trouble;
+
+use args::{Verb, When};
+use clap::{CommandFactory, FromArgMatches};
+use freepath_estimators::{ChromaticSampler, FreePathSampler, List, TransmittanceEstimator};
+use freepath_harness::case::Lists;
+use std::io::{Write, stderr};
+use std::process::ExitCode;
+use trouble::Trouble;
+
+/// The command line under a name, with the built-in subjects and those of some lists.
+///
+/// A program of one's own, whose cases name `my_tracker` beside `delta_tracking`:
+///
+/// ```no_run
+/// # mod my_tracker {
+/// #     #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+/// #     pub struct MyTracker {}
+/// #     impl freepath_estimators::FreePathSampler for MyTracker {
+/// #         fn sample(
+/// #             &self,
+/// #             _: &dyn freepath_estimators::Extinction,
+/// #             _: &mut dyn rand::Rng,
+/// #         ) -> freepath_estimators::FreePath {
+/// #             freepath_estimators::FreePath::at(f64::INFINITY)
+/// #         }
+/// #     }
+/// # }
+/// use freepath_estimators::{FreePathSampler, list};
+/// use std::process::ExitCode;
+///
+/// list! {
+///     /// The samplers of this crate.
+///     pub enum Samplers: dyn FreePathSampler {
+///         my_tracker::MyTracker,
+///     }
+/// }
+///
+/// fn main() -> ExitCode {
+///     freepath_cli::Command::named("my_freepath").free_path::<Samplers>().run()
+/// }
+/// ```
+#[must_use]
+pub struct Command {
+    name: &'static str,
+    lists: Option<Lists>,
+}
+
+impl Command {
+    /// Of the built-in subjects. The name is one word: results say with it how they can be had again.
+    pub fn named(name: &'static str) -> Self {
+        Self { name, lists: None }
+    }
+
+    /// Cases may name the free-path samplers of `L` as well.
+    pub fn free_path<L: List<Target = dyn FreePathSampler>>(self) -> Self {
+        self.with(Lists::free_path::<L>)
+    }
+
+    /// Cases may name the transmittance estimators of `L` as well.
+    pub fn transmittance<L: List<Target = dyn TransmittanceEstimator>>(self) -> Self {
+        self.with(Lists::transmittance::<L>)
+    }
+
+    /// Cases may name the chromatic samplers of `L` as well.
+    pub fn chromatic<L: List<Target = dyn ChromaticSampler>>(self) -> Self {
+        self.with(Lists::chromatic::<L>)
+    }
+
+    fn with(self, add: fn(Lists) -> Lists) -> Self {
+        Self { lists: Some(add(self.lists.unwrap_or_default())), ..self }
+    }
+
+    /// Does what the arguments of the process ask for, once in a process. The code is 2 if a name is listed twice.
+    #[must_use]
+    pub fn run(self) -> ExitCode {
+        let code = self.obey().unwrap_or_else(|trouble| {
+            // If standard error is gone, there is nobody to tell.
+            drop(writeln!(stderr(), "{}", trouble.message()));
+            trouble.code()
+        });
+        ExitCode::from(code)
+    }
+
+    fn obey(self) -> Result<u8, Trouble> {
+        program::call(self.name);
+        self.lists.map_or(Ok(()), Lists::install).map_err(Trouble::unusable)?;
+        let matches = args::Command::command().name(self.name).get_matches();
+        let args::Command { verb, color } =
+            args::Command::from_arg_matches(&matches).unwrap_or_else(|why| why.exit());
+        done(&verb, color)
+    }
+}
+
+fn done(verb: &Verb, color: When) -> Result<u8, Trouble> {
+    match verb {
+        Verb::Run(args) => cmd::run::run(args, color),
+        Verb::Check(args) => cmd::check::check(args, color),
+        Verb::Medium(args) => cmd::medium::medium(args, color),
+        Verb::Microscope(args) => cmd::microscope::microscope(args, color),
+        Verb::Power(args) => cmd::power::power(args, color),
+        Verb::Schema => cmd::schema::schema(),
+        Verb::List(args) => cmd::list::list(args),
+        Verb::Describe(args) => cmd::describe::describe(args),
+        Verb::Report(args) => cmd::report::report(args),
+        Verb::Soak(args) => cmd::soak::soak(args, color),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Command;
+    use freepath_estimators::free_path::AnyFreePath;
+
+    #[test]
+    fn a_name_that_is_taken_ends_the_program_before_it_starts() {
+        let refused = Command::named("freepath").free_path::<AnyFreePath>().obey().unwrap_err();
+        assert_eq!(refused.code(), 2);
+        let told = refused.message();
+        assert!(
+            told.starts_with("error: cannot list the free_path subject `delta_tracking`: the name is taken"),
+            "{told}"
+        );
+    }
+}

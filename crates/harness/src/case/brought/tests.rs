@@ -1,0 +1,68 @@
+use super::super::{CaseFile, FreePathSubject};
+use super::{Brought, ListError, Listing, Lists};
+use freepath_estimators::free_path::{AnyFreePath, DeltaTracking};
+use freepath_estimators::{FreePathSampler, list};
+use serde_json::json;
+use std::path::Path;
+
+mod never {
+    use freepath_estimators::{Extinction, FreePath, FreePathSampler};
+
+    /// Always escapes.
+    #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+    #[serde(deny_unknown_fields)]
+    pub(super) struct Never {
+        #[serde(default)]
+        of: u32,
+    }
+
+    impl FreePathSampler for Never {
+        fn sample(&self, _medium: &dyn Extinction, _rng: &mut dyn rand::Rng) -> FreePath {
+            FreePath::at(f64::INFINITY)
+        }
+    }
+}
+
+list! {
+    enum Samplers: dyn FreePathSampler { never::Never }
+}
+
+#[test]
+fn a_name_can_be_listed_once() {
+    let built_in = Lists::default().free_path::<Samplers>().free_path::<AnyFreePath>().install().unwrap_err();
+    assert!(matches!(built_in, ListError::Taken { kind: "free_path", name: "delta_tracking", .. }), "{built_in}");
+    let twice = Lists::default().free_path::<Samplers>().free_path::<Samplers>().install().unwrap_err();
+    let told = twice.to_string();
+    assert!(told.starts_with("cannot list the free_path subject `never`: the name is taken"), "{told}");
+    assert!(told.ends_with("`regular_tracking`, `never`)"), "{told}");
+}
+
+#[test]
+fn lists_come_before_the_first_case_or_not_at_all() {
+    assert!(!FreePathSubject::names().contains(&"never"));
+    let late = Lists::default().free_path::<Samplers>().install();
+    assert_eq!(late, Err(ListError::TooLate));
+}
+
+#[test]
+fn a_brought_subject_is_written_as_it_is_read() {
+    let listing = Listing::<dyn FreePathSampler>::new::<Samplers>();
+    let read: Brought<_> = (listing.read)("never", json!({ "of": 3 })).unwrap();
+    assert_eq!(serde_json::to_value(&read).unwrap(), json!({ "never": { "of": 3 } }));
+    assert_eq!(read, read.clone());
+    assert_ne!(read, (listing.read)("never", json!({})).unwrap());
+    assert!((listing.read)("never", json!({ "off": 3 })).is_err());
+}
+
+#[test]
+fn a_subject_has_one_name() {
+    for both in [r#""exact": {}, "delta_tracking": {}"#, r#""delta_tracking": {}, "exact": {}"#] {
+        let text = format!(
+            r#"{{ "title": "two", "medium": {{ "constant": {{ "mu": 1, "length": 1 }} }}, "subjects": [{{ "free_path": {{ {both} }} }}] }}"#
+        );
+        let told = CaseFile::parse(Path::new("two.json"), text).unwrap_err().to_string();
+        assert!(told.contains("more than one name") && told.contains("at subjects[0].free_path"), "{told}");
+    }
+    let one = serde_json::from_value::<FreePathSubject>(json!({ "delta_tracking": {} })).unwrap();
+    assert_eq!(one, FreePathSubject::Listed(AnyFreePath::DeltaTracking(DeltaTracking::default())));
+}

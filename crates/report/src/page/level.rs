@@ -1,0 +1,129 @@
+//! p-values and false alarms, of the run and of a soak.
+
+use super::figure::FigureView;
+use crate::ReportError;
+use crate::figures::Figures;
+use crate::number::{count, short};
+use crate::site::Site;
+use crate::text::{clean, words};
+use freepath_harness::real::Real;
+use freepath_harness::soak::{AlarmRate, LevelResult, SoakResults, SoakTest};
+
+/// Most rows of a table.
+const MOST: usize = 200;
+
+/// The section.
+pub(crate) struct LevelView {
+    pub(crate) lead: String,
+    pub(crate) figures: Vec<FigureView>,
+    pub(crate) soak: Option<SoakView>,
+}
+
+/// What a soak found.
+pub(crate) struct SoakView {
+    pub(crate) lead: String,
+    pub(crate) alarms: Vec<AlarmRow>,
+    /// What was seen for certain of right subjects.
+    pub(crate) facts: Vec<String>,
+    pub(crate) tests: Vec<TestRow>,
+    pub(crate) repro: String,
+}
+
+/// One kind of alarm at one level.
+pub(crate) struct AlarmRow {
+    pub(crate) name: &'static str,
+    /// Level, designed rate, count, observed rate, lower and upper limit, p.
+    pub(crate) cells: Vec<String>,
+    pub(crate) broken: bool,
+}
+
+/// The p-values of one test.
+pub(crate) struct TestRow {
+    pub(crate) name: String,
+    pub(crate) law: String,
+    /// Number, shares at or below 0.1, 0.01 and 1e-3, distances below and above, p.
+    pub(crate) cells: Vec<String>,
+    pub(crate) broken: Option<&'static str>,
+}
+
+impl LevelView {
+    pub(crate) fn new(site: &Site, figures: &Figures) -> Result<Self, ReportError> {
+        let lead = format!(
+            "By design at most one run in {} calls a right subject wrong: each of the two stages rejects one at most at a rate of {}, \
+             and both must.",
+            count(libm::round(1.0 / site.results.alpha.0) as u64),
+            short(site.results.stage_alpha.0)
+        );
+        let soak = site.beside.soak.as_ref().map(SoakView::new);
+        Ok(Self { lead, figures: FigureView::all(&figures.level)?, soak })
+    }
+}
+
+impl SoakView {
+    fn new(soak: &SoakResults) -> Self {
+        let verdict = if soak.holds { "Every level holds." } else { "A level is broken." };
+        let lead = format!(
+            "{verdict} {} full judgements of {} right subjects on fresh seeds, {} draws in stage 1 of each, gave {} p-values. All checks \
+             below together would call a level that holds broken with a chance of {}.",
+            count(soak.runs),
+            count(soak.subjects as u64),
+            count(soak.draws),
+            count(soak.p_values),
+            short(soak.family_level.0)
+        );
+        let facts = soak.facts.iter().take(MOST);
+        Self {
+            lead,
+            alarms: soak.levels.iter().take(MOST).flat_map(|of| alarms(of, soak.family_level.0)).collect(),
+            facts: facts
+                .map(|f| format!("{} (seed {}): {}", clean(&f.subject, 120), f.seed, clean(&f.words, 300)))
+                .collect(),
+            tests: soak.tests.iter().take(MOST).map(test).collect(),
+            repro: clean(&soak.repro, 1000),
+        }
+    }
+}
+
+fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 3] {
+    let row = |name, rate: &AlarmRate| AlarmRow {
+        name,
+        cells: vec![
+            short(of.level.0),
+            short(rate.designed.0),
+            count(rate.count),
+            short(rate.observed.0),
+            short(rate.low.0),
+            short(rate.high.0),
+            short(rate.p_adjusted.0),
+        ],
+        broken: !(rate.p_adjusted.0 > level),
+    };
+    [
+        row("stage 1 rejects something", &of.stage_1),
+        row("both stages reject something", &of.both),
+        row("both reject the same subject, which fails", &of.confirmed),
+    ]
+}
+
+fn test(of: &SoakTest) -> TestRow {
+    let share = |i: usize| of.shares.get(i).map_or("–".into(), |share: &Real| short(share.0));
+    let broken = match (of.holds, of.declared) {
+        (true, true) => None,
+        (false, _) => Some("broken"),
+        (true, false) => Some("not declared"),
+    };
+    TestRow {
+        name: clean(&words(&of.test), 60),
+        law: clean(&words(&of.null), 30),
+        cells: vec![
+            count(of.p_values),
+            share(0),
+            share(1),
+            share(2),
+            short(of.below.0),
+            short(of.above.0),
+            short(of.p_adjusted.0),
+        ],
+        broken,
+    }
+}
