@@ -1,9 +1,9 @@
 //! Every claim is put to the scalar method as to the block method: a wrapper hides each block method.
 
 use freepath_harness::case::{Claim, Limits, PreparedSubject};
-use freepath_harness::collect::{Watch, collect};
+use freepath_harness::collect::{Stopped, Watch, collect};
 use freepath_harness::decide::{Stage, adjust, decide, suspect};
-use freepath_harness::judge::judge;
+use freepath_harness::judge::{Judged, judge};
 use freepath_harness::plan::{Design, Plan};
 use freepath_harness::run::expected;
 use freepath_harness::subject::{Route, Subject};
@@ -20,10 +20,9 @@ fn every_claim_holds_for_the_scalar_method() {
         let known = |subject: &&PreparedSubject| !subject.spec.without.contains(&Claim::Truth);
         for prepared in case.subjects.iter().filter(|subject| subject.faults.is_empty()).filter(known) {
             let subject = Subject { route: Route::Scalar, ..prepared.runnable(&case.world, &case.case) };
-            wrong.extend(
-                surprise(&subject, prepared.spec.expect)
-                    .map(|why| format!("{} {}: {why}", case.file, prepared.name)),
-            );
+            // Nothing grows here, so that what growth is to find is not asked for.
+            let stated = prepared.spec.expect.filter(|_| subject.bias_bound.is_none());
+            wrong.extend(surprise(&subject, stated).map(|why| format!("{} {}: {why}", case.file, prepared.name)));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -33,9 +32,13 @@ fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectati
     let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
     let watch = Watch { cancelled: &never, progress: &|_| () };
     let blocks = Subject::blocks(subject.draws);
-    let stage = |range| collect(subject, &plan, 11, range, &watch).map(|seen| judge(subject, &plan, &seen));
-    let first = stage(0..blocks).ok()?;
-    let second = if suspect(&first) { stage(blocks..3 * blocks).ok() } else { None };
+    let stage = |range| match collect(subject, &plan, 11, range, &watch) {
+        Ok(seen) => judge(subject, &plan, &seen),
+        Err(Stopped::Subject(why)) => Judged::broken(why),
+        Err(Stopped::Cancelled) => panic!("nobody cancels"),
+    };
+    let first = stage(0..blocks);
+    let second = suspect(&first).then(|| stage(blocks..3 * blocks));
     let (one, two) = (adjust([Some(&first)].into_iter()), adjust([second.as_ref()].into_iter()));
     let again = second.as_ref().map(|judged| Stage { judged, adjusted: &two.0[0] });
     let decision = decide(Stage { judged: &first, adjusted: &one.0[0] }, again);
