@@ -1,8 +1,10 @@
 //! Quantiles of the Berk-Jones statistic of the harness, and the level that its p-value then has.
 //!
-//!     cargo run --release -p freepath-calibration --bin berk_jones -- table --replicates 100000 \
-//!         > crates/harness/src/special/berk_jones/quantiles.rs
-//!     cargo run --release -p freepath-calibration --bin berk_jones -- check --replicates 20000
+//! ```text
+//! cargo run --release -p freepath-calibration --bin berk_jones -- table --replicates 100000 \
+//!     > crates/harness/src/special/berk_jones/quantiles.rs
+//! cargo run --release -p freepath-calibration --bin berk_jones -- check --replicates 20000
+//! ```
 //!
 //! `table` simulates the 512 smallest and 512 largest of m uniforms exactly, and the counts between by exact binomials at edges that lie
 //! closer than those of any law: each 0.1 % farther from its end than the last. So the quantiles are those of the largest statistic
