@@ -405,6 +405,9 @@ impl Surroundings for Folder {
         assert_eq!(*wanted, VolumeRequest::of("rough.npy"));
         Ok(rough())
     }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
+        panic!("a volume has no nodes")
+    }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         self.0
     }

@@ -11,6 +11,9 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
         _ if (kind, name) == ("medium", "formula") => {
             json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
         }
+        _ if (kind, name) == ("medium", "table") => {
+            json!({ name: { "file": "mu.csv", "interpolation": "linear" } })
+        }
         _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         _ if name == "command" => json!({ name: { "argv": ["python3", "mine.py"] } }),
         body => json!({ name: value(schema, name, body) }),
