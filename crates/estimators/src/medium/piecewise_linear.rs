@@ -153,9 +153,13 @@ mod tests {
 
     #[test]
     fn nodes_are_refused_that_are_no_jump_inside() {
-        for nodes in [[0.0, 0.0, 1.0, 2.0], [0.0, 1.0, 2.0, 2.0], [0.0, 1.0, 0.5, 2.0], [0.0, 1.0, f64::NAN, 2.0]] {
+        for nodes in [[0.0, 0.0, 1.0, 2.0], [0.0, 1.0, 2.0, 2.0], [0.0, 1.0, 0.5, 2.0], [0.0, 1.0, f64::NAN, 2.0]]
+        {
             let refusal = PiecewiseLinear::new(nodes.to_vec(), vec![1.0; 4]).unwrap_err().to_string();
-            assert!(refusal.starts_with("nodes must be finite and increasing from 0, or the same in two"), "{refusal}");
+            assert!(
+                refusal.starts_with("nodes must be finite and increasing from 0, or the same in two"),
+                "{refusal}"
+            );
         }
         assert!(PiecewiseLinear::new(vec![0.0, 1.0, 1.0, 1.0, 2.0], vec![1.0; 5]).is_err(), "three");
     }

@@ -73,7 +73,10 @@ pub(crate) const BAD: &[(&str, &str)] = &[
     ),
     (r#"{"table": {"file": "mu.csv"}}"#, "missing field `interpolation`"),
     (r#"{"table": {"file": "mu.csv", "interpolation": "cubic"}}"#, "unknown variant `cubic`, expected `constant`"),
-    (r#"{"table": {"file": "mu.csv", "interpolation": "linear", "length": 0}}"#, "length must be finite and positive"),
+    (
+        r#"{"table": {"file": "mu.csv", "interpolation": "linear", "length": 0}}"#,
+        "length must be finite and positive",
+    ),
     (r#"{"chromatic": {"sigma_t": [1], "sigma_s": [2], "length": 3}}"#, "sigma_s must be at most"),
     (r#"{"scaled": {"by": -1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#, "by must be"),
     (r#"{"scaled": {"by": 1, "medium": {"constant": {"mu": -1, "length": 3}}}}"#, "mu must be"),

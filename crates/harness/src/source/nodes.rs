@@ -86,12 +86,7 @@ fn columns(names: &[String], across: usize, wanted: &NodesRequest) -> Result<[us
 }
 
 /// One more row, which stands at `place`.
-fn push(
-    nodes: &mut Nodes,
-    (t, mu): (f64, f64),
-    jumps: bool,
-    place: &dyn Fn() -> String,
-) -> Result<(), Refusal> {
+fn push(nodes: &mut Nodes, (t, mu): (f64, f64), jumps: bool, place: &dyn Fn() -> String) -> Result<(), Refusal> {
     let refuse = |cause: &str, allowed: &str| Err(Refusal::new(format!("{cause} in {}", place()), allowed));
     if nodes.t.len() == Nodes::MOST {
         return Err(too_many());
@@ -133,3 +128,6 @@ fn fault(x: f64) -> &'static str {
 fn too_many() -> Refusal {
     Refusal::new("it has too many rows", format!("at most {}", Nodes::MOST))
 }
+
+#[cfg(test)]
+mod tests;

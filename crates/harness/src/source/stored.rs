@@ -68,7 +68,12 @@ impl Stored {
     }
 
     /// The values of a channel in the order of a volume, x fastest.
-    pub(super) fn values(&self, file: &mut dyn Read, shape: [usize; 3], channel: usize) -> Result<Vec<f64>, Refusal> {
+    pub(super) fn values(
+        &self,
+        file: &mut dyn Read,
+        shape: [usize; 3],
+        channel: usize,
+    ) -> Result<Vec<f64>, Refusal> {
         let voxels: usize = shape.iter().product();
         let all = voxels * self.channels as usize;
         let (mut values, mut bytes, mut done) = (vec![0.0; voxels], vec![0; PART * self.width], 0);
