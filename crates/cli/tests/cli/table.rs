@@ -85,7 +85,7 @@ fn a_table_that_cannot_be_used_is_refused_at_its_place_in_the_case() {
             r#""file": "end.csv", "interpolation": "linear", "length": 1"#,
             "length must be at least the t of the last row, 2, not 1",
         ),
-        (r#""file": "end.csv", "interpolation": "steps""#, "unknown variant `steps`"),
+        (r#""file": "end.csv", "interpolation": "steps""#, "unknown name `steps` (allowed: `constant`, `linear`)"),
         (r#""file": "end.csv", "channel": 0"#, "unknown field `channel`"),
     ];
     for (body, part) in refusals {

@@ -94,6 +94,9 @@ impl Extinction for PiecewiseLinear {
 
 impl Medium for PiecewiseLinear {
     fn tau(&self, t: f64) -> f64 {
+        if t >= self.length() {
+            return self.depths.total();
+        }
         let k = self.piece(t);
         self.depths.reach(k, self.ramps[k].tau(t - self.edges[k]))
     }
