@@ -21,7 +21,7 @@ use freepath_harness::results::MOST_POINTS;
 pub(crate) const WIDTH: f64 = 640.0;
 
 /// Most points of a curve: a pixel shows no more.
-const MOST_DRAWN: usize = 200;
+const MOST_DRAWN: usize = 150;
 
 /// A picture with the words that belong beside it.
 #[derive(Clone, Debug)]
