@@ -262,8 +262,8 @@ mod tests {
         let (single, tiles) = (Audited::new(&medium, 1000, 1e-12), Audited::new(&medium, 1000, 1e-12));
         places.iter().for_each(|&t| assert!(single.mu(t) >= 0.0));
         tiles.mu_tile(&places, &mut vec![0.0; places.len()]);
-        let worst = Some(Excess { t: 4.0, mu: 2.5, bound: 2.0 });
-        assert_eq!((single.record(), single.record().worst), (tiles.record(), worst));
-        assert_eq!(worst.unwrap().to_string(), "at t = 4, where mu is 2.5 and the majorant 2");
+        let worst = Excess { t: 4.0, mu: 2.5, bound: 2.0 };
+        assert_eq!((single.record(), single.record().worst), (tiles.record(), Some(worst)));
+        assert_eq!(worst.to_string(), "at t = 4, where mu is 2.5 and the majorant 2");
     }
 }

@@ -29,7 +29,7 @@ fn check_places(
     parameter::require(places[0] == 0.0, name, places[0], "0 at the start")?;
     for (i, pair) in places.windows(2).enumerate() {
         let increases = pair[1] > pair[0] && pair[1] < f64::INFINITY;
-        let jumps = pair[1] == pair[0] && same(i);
+        let jumps = pair[1] - pair[0] == 0.0 && same(i);
         parameter::require(increases || jumps, name, pair[1], must_be)?;
     }
     Ok(())

@@ -97,24 +97,28 @@ fn push(nodes: &mut Nodes, (t, mu): (f64, f64), jumps: bool, place: &dyn Fn() ->
     if !t.is_finite() {
         return refuse(&format!("t is {}", fault(t)), "finite");
     }
-    match nodes.t[..] {
-        [] if t != 0.0 => return refuse("t is not 0", "0 in the first row, where the ray starts"),
-        [.., last] if jumps && !(t > last || (t == last && pairs(&nodes.t))) => {
-            return refuse("t does not increase", "greater than before, or the same in two rows inside: a jump");
-        }
-        [.., last] if !jumps && !(t > last) => {
-            return refuse("t does not increase", "greater than in the row before");
-        }
-        _ => {}
+    if nodes.t.is_empty() && t != 0.0 {
+        return refuse("t is not 0", "0 in the first row, where the ray starts");
+    }
+    if !goes_on(&nodes.t, t, jumps) {
+        let allowed = match jumps {
+            true => "greater than in the row before, or the same in two rows inside the ray: a jump",
+            false => "greater than in the row before",
+        };
+        return refuse("t does not increase", allowed);
     }
     nodes.t.push(t);
     nodes.mu.push(mu);
     Ok(())
 }
 
-/// Another row may repeat the last t.
-fn pairs(t: &[f64]) -> bool {
-    matches!(t, [.., before, last] if before < last)
+/// `t` may stand in the row after these.
+fn goes_on(rows: &[f64], t: f64, jumps: bool) -> bool {
+    match *rows {
+        [.., before, last] => t > last || (jumps && t >= last && last > before),
+        [first] => t > first,
+        [] => true,
+    }
 }
 
 fn fault(x: f64) -> &'static str {

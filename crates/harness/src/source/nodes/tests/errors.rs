@@ -17,7 +17,12 @@ fn rows_that_are_no_medium_are_refused_at_their_place() {
     let two = |rows: [f64; 4]| npy("<f8", "(2, 2)", &doubles(&rows));
     refused(&[
         ("a.csv", b"t,mu\n0.5,1\n1,1\n", &LINEAR, "t is not 0 in line 2 (0 in the first row"),
-        ("b.csv", b"t,mu\n0,1\n1,1\n\n0.5,1\n", &LINEAR, "t does not increase in line 5 (greater than before, or"),
+        (
+            "b.csv",
+            b"t,mu\n0,1\n1,1\n\n0.5,1\n",
+            &LINEAR,
+            "t does not increase in line 5 (greater than in the row before, or the same in two",
+        ),
         ("c.csv", b"0,1\n1,1\n0.5,1\n", &STEPS, "t does not increase in line 3 (greater than in the row before)"),
         ("d.csv", b"0,1\n0,2\n1,1\n", &LINEAR, "t does not increase in line 2"),
         ("e.csv", b"0,1\n1,2\n1,1\n1,3\n2,1\n", &LINEAR, "t does not increase in line 4"),
