@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn a_thinned_curve_keeps_its_ends_its_peaks_and_both_sides_of_its_jumps() {
         let value = |t: f64| if t < 0.5 { 0.1 * t } else { 3.0 - t };
-        let grid = (0..=2000).map(|i| f64::from(i) / 2000.0).filter(|&t| t < 0.5 || t > 0.5);
+        let grid = (0..=2000).map(|i| f64::from(i) / 2000.0).filter(|&t| (t - 0.5).abs() > 1e-6);
         let mut points: Vec<Point> = grid.chain([0.5 - 1e-9, 0.5 + 1e-9]).map(|t| (t, value(t))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         points[1234].1 = 9.0;
