@@ -14,7 +14,7 @@ fn volume(value: impl Fn([usize; 3]) -> f64) -> Arc<Volume> {
     let [nx, ny, nz] = SHAPE;
     let at = |i: usize| [i % nx, i / nx % ny, i / (nx * ny)];
     let values = (0..nx * ny * nz).map(|i| value(at(i))).collect();
-    Arc::new(Volume { shape: SHAPE, values })
+    Arc::new(Volume { shape: SHAPE, values, bounds: None })
 }
 
 /// Neighbours from 0 to 4 without a pattern, some of them empty.
@@ -316,7 +316,7 @@ fn grids_one_voxel_thin_are_seen() {
     for shape in [[1, 1, 1], [3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 3], [2, 1, 3], [3, 2, 1]] {
         let values: Vec<f64> = (1..=shape.iter().product()).map(|i: usize| i as f64).collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let volume = Arc::new(Volume { shape, values });
+        let volume = Arc::new(Volume { shape, values, bounds: None });
         for filter in FILTERS {
             let grid = Grid::new(volume.clone(), filter, [[0.0; 3], [1.0; 3]], Rescale::default()).unwrap();
             let ray = grid.ray([0.0; 3], [1.0; 3]).unwrap();
@@ -369,7 +369,7 @@ fn a_voxel_without_extinction_is_refused_with_its_index() {
 #[test]
 fn volumes_and_boxes_that_do_not_fit_are_refused() {
     let build = |shape, values: Vec<f64>, bounds| {
-        let volume = Arc::new(Volume { shape, values });
+        let volume = Arc::new(Volume { shape, values, bounds: None });
         Grid::new(volume, Filter::Nearest, bounds, Rescale::default()).is_ok()
     };
     assert!(build([2, 1, 1], vec![1.0; 2], BOUNDS));
@@ -474,7 +474,7 @@ proptest! {
         let cells = shape.iter().product();
         let values = (0..cells).map(|i| ((i + seed) * 2_654_435_761 % 997) as f64 / 100.0).collect();
         let filter = FILTERS[usize::from(trilinear)];
-        let grid = Grid::new(Arc::new(Volume { shape, values }), filter, [[0.0; 3], [1.0; 3]], Rescale::default());
+        let grid = Grid::new(Arc::new(Volume { shape, values, bounds: None }), filter, [[0.0; 3], [1.0; 3]], Rescale::default());
         if let Ok(ray) = grid.unwrap().ray(origin, direction) {
             let t: Vec<f64> = points(0.0, ray.length(), 99).chain(turns(&ray)).collect();
             let t = t.into_iter().filter(|&t| t <= ray.length());
