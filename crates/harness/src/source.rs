@@ -194,6 +194,15 @@ pub(crate) mod tests {
     }
 
     #[test]
+    #[cfg(not(feature = "vdb"))]
+    fn a_vdb_file_names_the_feature_that_reads_it() {
+        let file = Temporary::holding("cloud.vdb", b" BDV\0\0\0\0");
+        let message = read_volume(&file.0, &VolumeRequest::of("")).unwrap_err().to_string();
+        let why = "cloud.vdb: this program was built without OpenVDB (one built with `--features vdb`)";
+        assert!(message.ends_with(why), "{message}");
+    }
+
+    #[test]
     #[cfg(unix)]
     fn a_pipe_is_refused_without_waiting_for_its_writer() {
         let pipe = Temporary::path("pipe.npy");

@@ -177,10 +177,10 @@ int main() {
     write("blosc", COMPRESS_BLOSC, {dense()});
     write("blosc_mask", COMPRESS_BLOSC | COMPRESS_ACTIVE_MASK, {sparse()});
     write("half_mask", COMPRESS_ACTIVE_MASK, {as_half(sparse())});
-    write("half_zip", COMPRESS_ZIP, {as_half(dense())});
+    write("half_zip_mask", COMPRESS_ZIP | COMPRESS_ACTIVE_MASK, {as_half(dense())});
     write("half_blosc_mask", COMPRESS_BLOSC | COMPRESS_ACTIVE_MASK, {as_half(sparse())});
     write("fog", COMPRESS_BLOSC | COMPRESS_ACTIVE_MASK, {fog()});
-    for (const std::string name : {"none", "mask", "zip", "zip_mask", "blosc", "blosc_mask", "half_mask", "half_zip",
+    for (const std::string name : {"none", "mask", "zip", "zip_mask", "blosc", "blosc_mask", "half_mask", "half_zip_mask",
                                    "half_blosc_mask", "fog"})
         expect_file(name);
     write("tiles", COMPRESS_BLOSC | COMPRESS_ACTIVE_MASK, {tiles()});
