@@ -449,6 +449,50 @@ fn a_wrong_case_is_refused() {
     }
 }
 
+/// A folder with one `.vdb` file, which may know its bounds.
+struct Sparse(Option<[[f64; 3]; 2]>);
+
+impl Surroundings for Sparse {
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        assert_eq!((wanted.grid, wanted.voxels), (Some("density"), Some(&[[-1, 0, 2], [3, 4, 5]])));
+        Ok(Arc::new(Volume { bounds: self.0, ..(*rough()).clone() }))
+    }
+    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+        None
+    }
+}
+
+#[test]
+fn a_file_may_know_its_bounds_and_a_case_may_overrule_them() {
+    const OWN: &str = r#""bounds": [[-1, 0.5, 2], [1, 3.5, 4.5]],"#;
+    let sparse =
+        JSON.replace("rough.npy\"", "r.vdb\", \"grid\": \"density\", \"voxels\": [[-1, 0, 2], [3, 4, 5]]");
+    let build = |text: &str, known| {
+        let built = serde_json::from_str::<AnyMedium>(text).unwrap().build(&Sparse(known));
+        built.map(|built| if let Built::Grey(ray) = built { ray.length() } else { f64::NAN })
+    };
+    let stated = build(&sparse, None).unwrap();
+    let without = sparse.replace(OWN, "");
+    assert_eq!(build(&without, Some([[-1.0, 0.5, 2.0], [1.0, 3.5, 4.5]])), Ok(stated));
+    let twice = Some([[-2.0, -2.5, -0.5], [2.0, 3.5, 4.5]]);
+    assert!(build(&without, twice).unwrap() > stated && build(&sparse, twice) == Ok(stated));
+    let refused = build(&without, None).unwrap_err().to_string();
+    assert!(
+        refused.contains("bounds must be two corners of the box") && refused.contains("not missing"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn only_a_vdb_file_has_grids_and_a_part() {
+    for more in [r#""grid": "density""#, r#""voxels": [[0, 0, 0], [1, 1, 1]]"#] {
+        let text = JSON.replace(r#""filter""#, &format!(r#"{more}, "filter""#));
+        let refused = serde_json::from_str::<AnyMedium>(&text).unwrap_err().to_string();
+        assert!(refused.contains("except for a .vdb file"), "{refused}");
+        assert!(serde_json::from_str::<AnyMedium>(&text.replace(".npy", ".VDB")).is_ok());
+    }
+}
+
 /// A number that often lies on a plane of the grid, or close to one.
 fn place() -> impl Strategy<Value = f64> {
     let on_plane = (0..=24).prop_map(|k| f64::from(k) / 12.0 - 0.5);

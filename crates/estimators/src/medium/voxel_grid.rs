@@ -21,10 +21,9 @@ use std::sync::Arc;
 /// ```
 ///
 /// `file` holds the values v as an array `[z][y][x]` that fills `bounds`, each at the centre of its cell; the border values
-/// are held in the outer half cells. Of a `.vdb` file, which is read if the program is built with its feature `vdb`, the
-/// array is the box around the active voxels, or that of `voxels`, inactive voxels and background included. t is a length in the units of the bounds, from where the ray enters the box, or
-/// from the origin if that lies inside. Along a ray the trilinear filter is a cubic between its planes, so that tau,
-/// its inverse and the extrema are exact.
+/// are held in the outer half cells. Of a `.vdb` grid (feature `vdb`) they are the box around the active voxels, or `voxels`.
+/// t is a length in the units of the bounds, from where the ray enters the box, or from the origin if that lies inside.
+/// Along a ray the trilinear filter is a cubic between its planes, so that tau, its inverse and the extrema are exact.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(try_from = "Parameters", into = "Parameters")]
 pub struct VoxelGrid {

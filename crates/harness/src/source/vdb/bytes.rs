@@ -1,6 +1,6 @@
 use super::super::Refusal;
 use super::corrupt;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{BufReader, ErrorKind, Read, Seek, SeekFrom};
 
 /// A file that is read from one place to the next; all numbers are little endian.
 pub(super) struct Source<F> {
@@ -14,7 +14,10 @@ impl<F: Read + Seek> Source<F> {
     }
 
     pub(super) fn fill(&mut self, bytes: &mut [u8]) -> Result<(), Refusal> {
-        self.file.read_exact(bytes).map_err(|_| Refusal::new("it is cut short", "a whole .vdb file"))
+        self.file.read_exact(bytes).map_err(|why| match why.kind() {
+            ErrorKind::UnexpectedEof => Refusal::new("it is cut short", "a whole .vdb file"),
+            _ => why.into(),
+        })
     }
 
     pub(super) fn array<const N: usize>(&mut self) -> Result<[u8; N], Refusal> {
