@@ -53,7 +53,7 @@ fn unpack_block(chunk: &[u8], k: usize, size: usize, block: &mut [u8]) -> Option
     let (flags, width) = (chunk[2], usize::from(chunk[3]));
     let split = flags & WHOLE == 0 && width <= MOST_PARTS && size / width >= FEWEST_VALUES && block.len() == size;
     let parts = if split { width } else { 1 };
-    if block.len() % parts != 0 {
+    if !block.len().is_multiple_of(parts) {
         return None;
     }
     let mut shuffled = vec![0; block.len()];
