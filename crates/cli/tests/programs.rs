@@ -7,6 +7,18 @@ mod adapters;
 #[cfg(unix)]
 #[path = "programs/errors.rs"]
 mod errors;
+#[cfg(unix)]
+#[path = "programs/lives.rs"]
+mod lives;
+#[cfg(unix)]
+#[path = "programs/media.rs"]
+mod media;
+#[cfg(unix)]
+#[path = "programs/protocol.rs"]
+mod protocol;
+#[cfg(unix)]
+#[path = "programs/scripts.rs"]
+mod scripts;
 #[path = "cli/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command line, which need more of it")]
 mod support;
@@ -17,7 +29,8 @@ mod tools;
 #[cfg(unix)]
 fn main() {
     let filter = std::env::args().skip(1).find(|word| !word.starts_with('-')).unwrap_or_default();
-    let chosen = || errors::TESTS.iter().chain(adapters::TESTS).filter(|(name, ..)| name.contains(&filter));
+    let all = [errors::TESTS, lives::TESTS, protocol::TESTS, adapters::TESTS, media::TESTS];
+    let chosen = || all.iter().copied().flatten().filter(|(name, ..)| name.contains(&filter));
     if std::env::args().any(|word| word == "--list") {
         chosen().for_each(|(name, ..)| println!("{name}: test"));
         return;

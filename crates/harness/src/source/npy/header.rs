@@ -1,7 +1,7 @@
 //! The header, parsed by hand: a general reader of Python literals recurses as deep as a hostile header asks it to.
 
-use super::super::{Refusal, foreign};
 use super::super::stored::Number;
+use super::super::{Refusal, foreign};
 use std::io::Read;
 
 /// The longest header that is read, in bytes.

@@ -108,8 +108,12 @@ fn format(path: Option<&Path>, request: &Request) -> Result<Format, Refusal> {
         Some(Some("txt")) => Some(Format::Txt),
         Some(_) => None,
     };
-    let unknown =
-        || Refusal::new("its name does not tell its format", ".npy, .csv, .txt or .f64, not compressed, or a stated `format`");
+    let unknown = || {
+        Refusal::new(
+            "its name does not tell its format",
+            ".npy, .csv, .txt or .f64, not compressed, or a stated `format`",
+        )
+    };
     request.format.or(told).ok_or_else(unknown)
 }
 
