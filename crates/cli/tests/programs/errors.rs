@@ -1,17 +1,17 @@
 //! Programs that go wrong: each gets the right reason and a clear message, and the others are judged all the same.
 
+use crate::place::Test;
 use crate::scripts::{RIGHT, ready};
 use crate::support::{put, run};
-use crate::tools::Test;
 use freepath_harness::results::{Results, SubjectResult, Timings};
 
 pub(crate) const TESTS: &[Test] = &[
-    ("every_failure_has_its_reason_and_stops_nothing_else", &[], every_failure_has_its_reason),
-    ("a_failure_in_stage_2_counts", &[], a_failure_in_stage_2_counts),
-    ("a_request_need_not_be_read", &[], a_request_need_not_be_read),
-    ("chromatic_rows_are_read_with_care", &[], chromatic_rows_are_read_with_care),
-    ("a_program_of_estimates_is_judged_with_care", &[], a_program_of_estimates_is_judged_with_care),
-    ("what_cannot_be_started_is_told", &[], what_cannot_be_started_is_told),
+    ("every_failure_has_its_reason_and_stops_nothing_else", every_failure_has_its_reason),
+    ("a_failure_in_stage_2_counts", a_failure_in_stage_2_counts),
+    ("a_request_need_not_be_read", a_request_need_not_be_read),
+    ("chromatic_rows_are_read_with_care", chromatic_rows_are_read_with_care),
+    ("a_program_of_estimates_is_judged_with_care", a_program_of_estimates_is_judged_with_care),
+    ("what_cannot_be_started_is_told", what_cannot_be_started_is_told),
 ];
 
 const SCRIPTS: &[(&str, &str, &str, &str)] = &[

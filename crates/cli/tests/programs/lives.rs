@@ -1,15 +1,15 @@
 //! Programs that do not end, or leave others behind: they are killed in time, with all that they have started.
 
+use crate::place::Test;
 use crate::scripts::{RIGHT, ready};
 use crate::support::run;
-use crate::tools::Test;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 pub(crate) const TESTS: &[Test] = &[
-    ("a_silent_program_is_killed_with_all_that_it_has_started", &[], a_silent_program_is_killed),
-    ("a_program_that_never_ends_is_killed", &[], a_program_that_never_ends_is_killed),
-    ("what_a_right_program_leaves_behind_is_killed", &[], what_a_right_program_leaves_behind_is_killed),
+    ("a_silent_program_is_killed_with_all_that_it_has_started", a_silent_program_is_killed),
+    ("a_program_that_never_ends_is_killed", a_program_that_never_ends_is_killed),
+    ("what_a_right_program_leaves_behind_is_killed", what_a_right_program_leaves_behind_is_killed),
 ];
 
 fn a_silent_program_is_killed() {

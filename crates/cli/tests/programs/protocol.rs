@@ -1,16 +1,16 @@
 //! What a program is told, and that it needs leave to run.
 
+use crate::place::Test;
 use crate::scripts::{NUMBER, RIGHT, ready};
 use crate::support::{put, run};
-use crate::tools::Test;
 use freepath_harness::results::Timings;
 use std::path::Path;
 
 pub(crate) const TESTS: &[Test] = &[
-    ("commands_need_leave", &[], commands_need_leave),
-    ("a_long_request_does_not_block", &[], a_long_request_does_not_block),
-    ("the_request_says_what_the_protocol_says", &[], the_request_says_what_the_protocol_says),
-    ("the_number_of_threads_does_not_matter", &[], the_number_of_threads_does_not_matter),
+    ("commands_need_leave", commands_need_leave),
+    ("a_long_request_does_not_block", a_long_request_does_not_block),
+    ("the_request_says_what_the_protocol_says", the_request_says_what_the_protocol_says),
+    ("the_number_of_threads_does_not_matter", the_number_of_threads_does_not_matter),
 ];
 
 fn commands_need_leave() {

@@ -106,7 +106,16 @@ fn text_that_is_no_table_of_numbers_is_refused_at_its_place() {
         ("s.csv", b"\xff\n\xff\n", &draws, "line 2, column 1"),
         ("t.dat", b"0.5\n", &draws, "its name does not tell its format"),
         ("t.npy.gz", b"\x1f\x8b\x08", &draws, ".f64, not compressed, or a stated `format`)"),
-        ("u.csv", b"\xff\xfet\0\n\00\0", &draws, "it is text in UTF-16 (text in UTF-8)"),
+    ]);
+}
+
+/// Fortran's exponents, other separators, compressed or in another alphabet.
+#[test]
+fn text_of_other_customs_is_refused_in_words() {
+    let (draws, table) = (request(), chromatic());
+    let named = Request { column: Some("x"), ..request() };
+    refused(&[
+        ("u.csv", b"\xff\xfet\0\n\x000\0", &draws, "it is text in UTF-16 (text in UTF-8)"),
         ("v.csv", b"\x1f\x8b\x08secret", &draws, "it is compressed by gzip"),
         ("w.csv", b"t\n1.5D-3\n", &draws, "line 2, column 1 is not a number (such as 1.25e-3"),
         ("x.csv", b"t;w\n0.5;1\n", &draws, "columns are separated by commas)"),
