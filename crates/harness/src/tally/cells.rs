@@ -74,18 +74,21 @@ impl Lattice {
     }
 }
 
-/// The fine cell of each draw: t = length itself belongs to the last.
+/// The fine cell of each draw: t = length itself belongs to the last. Chosen among doubles, since a choice among integers
+/// by a comparison of doubles does not vectorise on AVX2.
 pub(super) fn locate(Lattice { scale, length, last }: Lattice, t: &[f64], index: &mut Vec<u32>) {
     index.resize(t.len(), 0);
+    let last = f64::from(last);
     freepath_estimators::simd::dispatch(
         #[inline(always)]
-        || {
+        move || {
+            let [escape, nowhere] = [ESCAPE, NOWHERE].map(f64::from); // here, or it does not vectorise
             for (index, &t) in index.iter_mut().zip(t) {
-                let inside = (t >= 0.0) & (t <= length);
-                let cell = floor(if inside { t * scale } else { 0.0 });
+                let cell = floor(t * scale);
                 let cell = if cell > last { last } else { cell };
-                let other = if t == f64::INFINITY { ESCAPE } else { NOWHERE };
-                *index = if inside { cell } else { other };
+                let other = if t == f64::INFINITY { escape } else { nowhere };
+                let inside = (t >= 0.0) & (t <= length);
+                *index = whole(if inside { cell } else { other });
             }
         },
     );
@@ -93,12 +96,17 @@ pub(super) fn locate(Lattice { scale, length, last }: Lattice, t: &[f64], index:
 
 const INTEGERS: f64 = 4_503_599_627_370_496.0; // 2^52: adding it rounds to an integer and shows it in the low bits
 
-/// The integer part of 0 <= x < 2^31. A cast says the same, but it saturates, which not every vector unit can.
+/// The integer part of 0 <= x < 2^51; of any other x, some number.
 #[inline(always)]
-fn floor(x: f64) -> u32 {
-    let near = x + INTEGERS;
-    let above = near - INTEGERS > x;
-    (near.to_bits() as u32).wrapping_sub(u32::from(above))
+fn floor(x: f64) -> f64 {
+    let near = x + INTEGERS - INTEGERS;
+    near - if near > x { 1.0 } else { 0.0 }
+}
+
+/// A whole number below 2^32. A cast says the same, but it saturates, which not every vector unit can.
+#[inline(always)]
+fn whole(x: f64) -> u32 {
+    (x + INTEGERS).to_bits() as u32
 }
 
 #[cfg(test)]
@@ -109,9 +117,10 @@ mod tests {
     fn floor_is_the_integer_part() {
         for i in 0..100_000u32 {
             let x = f64::from(i) * 0.125;
-            assert_eq!((floor(x), floor(x.next_up())), (i / 8, i / 8), "{x}");
-            assert_eq!(floor(f64::from(i + 1).next_down()), i);
+            assert_eq!((whole(floor(x)), whole(floor(x.next_up()))), (i / 8, i / 8), "{x}");
+            assert_eq!(whole(floor(f64::from(i + 1).next_down())), i);
         }
+        assert_eq!([ESCAPE, NOWHERE].map(|cell| whole(f64::from(cell))), [ESCAPE, NOWHERE]);
     }
 
     #[test]

@@ -23,12 +23,17 @@ pub struct LagTally {
     pub neighbours: Box<[[u64; RANK_GROUPS]; RANK_GROUPS]>,
     /// The scores of a block.
     buffer: Vec<i16>,
+    /// Their groups.
+    groups: Vec<u8>,
 }
 
 const UNIT: f64 = 4096.0;
 
 /// Products summed at a time: each is less than 2^23, so that they fit 32 bits.
 const PART: usize = 256;
+
+/// Tables of neighbours that are filled in turn.
+const TURNS: usize = 4;
 
 /// The scores of a law's cells.
 #[derive(Clone, Debug)]
@@ -113,6 +118,15 @@ impl Scores {
         self.group(self.of(cell))
     }
 
+    /// The group of each score.
+    fn groups(&self, scores: &[i16], groups: &mut Vec<u8>) {
+        groups.resize(scores.len(), 0);
+        freepath_estimators::simd::dispatch(
+            #[inline(always)]
+            || groups.iter_mut().zip(scores).for_each(|(group, &score)| *group = self.group(score) as u8),
+        );
+    }
+
     #[inline(always)]
     fn group(&self, score: i16) -> usize {
         let group = (score + self.mean) >> 8; // 4096 / 16 units; F = 1 is one too many
@@ -123,14 +137,14 @@ impl Scores {
 impl Default for LagTally {
     fn default() -> Self {
         let neighbours = Box::new([[0; RANK_GROUPS]; RANK_GROUPS]);
-        Self { products: [0; LAGS], pairs: [0; LAGS], neighbours, buffer: Vec::new() }
+        Self { products: [0; LAGS], pairs: [0; LAGS], neighbours, buffer: Vec::new(), groups: Vec::new() }
     }
 }
 
 impl LagTally {
     /// Adds the pairs of one block, given the fine cell of each draw.
     pub fn observe(&mut self, scores: &Scores, index: &[u32]) {
-        let Self { products, pairs, neighbours, buffer } = self;
+        let Self { products, pairs, neighbours, buffer, groups } = self;
         buffer.clear();
         buffer.extend(index.iter().map(|&cell| scores.of(cell)));
         for (i, (products, pairs)) in products.iter_mut().zip(pairs).enumerate() {
@@ -138,7 +152,7 @@ impl LagTally {
             *products += i128::from(dot(buffer, later));
             *pairs += later.len() as u64;
         }
-        count(scores, buffer, neighbours);
+        count(scores, buffer, groups, neighbours);
     }
 
     /// Adds the pairs of another worker.
@@ -169,16 +183,31 @@ fn dot(a: &[i16], b: &[i16]) -> i64 {
     )
 }
 
-fn count(scores: &Scores, buffer: &[i16], neighbours: &mut [[u64; RANK_GROUPS]; RANK_GROUPS]) {
-    let Some((&first, rest)) = buffer.split_first() else {
-        return;
-    };
-    let mut before = scores.group(first);
-    for &score in rest {
-        let group = scores.group(score);
-        neighbours[before][group] += 1;
-        before = group;
+/// Counts the pairs of neighbours: in tables that take turns, so that one count need not wait for another, and few enough
+/// at a time for 32 bits.
+fn count(
+    scores: &Scores,
+    buffer: &[i16],
+    groups: &mut Vec<u8>,
+    neighbours: &mut [[u64; RANK_GROUPS]; RANK_GROUPS],
+) {
+    scores.groups(buffer, groups);
+    let mut tables = [[0u32; RANK_GROUPS * RANK_GROUPS]; TURNS];
+    for pairs in groups.windows(TURNS + 1).step_by(TURNS) {
+        for (table, pair) in tables.iter_mut().zip(pairs.windows(2)) {
+            table[place(pair)] += 1;
+        }
     }
+    let counted = groups.len().saturating_sub(1) / TURNS * TURNS;
+    groups[counted..].windows(2).for_each(|pair| tables[0][place(pair)] += 1);
+    for (i, count) in neighbours.as_flattened_mut().iter_mut().enumerate() {
+        *count += tables.iter().map(|table| u64::from(table[i])).sum::<u64>();
+    }
+}
+
+/// Where a pair of groups is counted. A group is less than [`RANK_GROUPS`], so that two fill a byte.
+fn place(pair: &[u8]) -> usize {
+    usize::from(pair[0] << 4 | pair[1])
 }
 
 #[cfg(test)]

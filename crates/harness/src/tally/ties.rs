@@ -1,7 +1,6 @@
 use freepath_estimators::simd;
-use std::collections::HashMap;
 
-/// Draws whose hashes are tested together.
+/// Draws whose hashes are tested together, and again in quarters where one is small enough.
 const PART: usize = 32;
 
 /// Most values held.
@@ -14,26 +13,24 @@ const HELD: usize = 1 << 16;
 pub struct TieTally {
     /// Bits of the values held, with repeats.
     held: Vec<u64>,
-    /// Values are held if their hash is below 2^64 / 2^halvings.
+    /// Values are held if their hash is below 2^32 / 2^halvings.
     halvings: u32,
     /// Bits of all values of the blocks that were said to be among the first.
     first: Vec<u64>,
 }
 
+/// In 32 bits, since AVX2 has no product of 64-bit numbers.
 #[inline(always)]
-fn hash(bits: u64) -> u64 {
-    let z = (bits ^ (bits >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93);
-    (z ^ (z >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93)
+fn hash(bits: u64) -> u32 {
+    let mixed = (bits as u32).wrapping_mul(0x9e37_79b9) ^ ((bits >> 32) as u32).wrapping_mul(0xd6e8_feb9);
+    let mixed = (mixed ^ (mixed >> 16)).wrapping_mul(0xfd93_c2b5);
+    mixed ^ (mixed >> 15)
 }
 
-/// Whether any hash is at most `threshold`.
+/// Whether any hash is at most `threshold`: by the least of them, since a vector unit has an instruction for that.
 #[inline(always)]
-fn below(part: &[f64], threshold: u64) -> bool {
-    let mut any = false;
-    for t in part {
-        any |= hash(t.to_bits()) <= threshold;
-    }
-    any
+fn below(part: &[f64], threshold: u32) -> bool {
+    part.iter().fold(u32::MAX, |least, t| least.min(hash(t.to_bits()))) <= threshold
 }
 
 impl TieTally {
@@ -47,8 +44,9 @@ impl TieTally {
             #[inline(always)]
             || {
                 for part in t.chunks(PART) {
-                    if below(part, self.threshold()) {
-                        self.hold(part);
+                    let threshold = self.threshold();
+                    if below(part, threshold) {
+                        part.chunks(PART / 4).filter(|few| below(few, threshold)).for_each(|few| self.hold(few));
                     }
                 }
             },
@@ -68,8 +66,8 @@ impl TieTally {
     }
 
     #[inline(always)]
-    fn threshold(&self) -> u64 {
-        u64::MAX >> self.halvings
+    fn threshold(&self) -> u32 {
+        u32::MAX >> self.halvings
     }
 
     /// Takes in what another worker holds. The outcome does not depend on who held what.
@@ -82,7 +80,7 @@ impl TieTally {
     }
 
     fn thin(&mut self) {
-        while self.held.len() > HELD && self.halvings < 63 {
+        while self.held.len() > HELD && self.halvings < 31 {
             self.halvings += 1;
             self.drop_above();
         }
@@ -113,11 +111,9 @@ impl TieTally {
 }
 
 fn equal_pairs(values: &[u64]) -> u64 {
-    let mut counts = HashMap::new();
-    for bits in values {
-        *counts.entry(bits).or_insert(0u64) += 1;
-    }
-    counts.values().map(|&c| c * (c - 1) / 2).sum()
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable();
+    sorted.chunk_by(u64::eq).map(|equal| equal.len() as u64).map(|c| c * (c - 1) / 2).sum()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::{Escape, Refusal, Request, Table};
 use crate::samples::SampleKind;
-use freepath_estimators::Draws;
+use freepath_estimators::{Draws, simd};
 
 /// The event of a chromatic row: its t is where the light scatters.
 pub(super) const SCATTER: f64 = 0.0;
@@ -74,10 +74,16 @@ impl Meaning {
 
     /// Free paths with escapes at infinity, and none beyond the ray for rounding alone.
     fn settle(&self, t: &mut [f64]) {
-        for t in t {
-            let near = if *t > self.length && *t <= self.rounded { self.length } else { *t };
-            *t = if near >= self.escape && near <= self.escapes_end { f64::INFINITY } else { near };
-        }
+        let Self { escape, escapes_end, length, rounded, .. } = *self;
+        simd::dispatch(
+            #[inline(always)]
+            || {
+                for t in t {
+                    let near = if (*t > length) & (*t <= rounded) { length } else { *t };
+                    *t = if (near >= escape) & (near <= escapes_end) { f64::INFINITY } else { near };
+                }
+            },
+        );
     }
 
     /// Distances of the events: infinity for the surface, whatever distance is given there.
