@@ -2,14 +2,16 @@
 
 use crate::place::Test;
 use crate::scripts::{RIGHT, ready};
-use crate::support::run;
+use crate::support::{freepath, run};
 use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 pub(crate) const TESTS: &[Test] = &[
     ("a_silent_program_is_killed_with_all_that_it_has_started", a_silent_program_is_killed),
     ("a_program_that_never_ends_is_killed", a_program_that_never_ends_is_killed),
     ("what_a_right_program_leaves_behind_is_killed", what_a_right_program_leaves_behind_is_killed),
+    ("an_interrupt_kills_what_runs", an_interrupt_kills_what_runs),
 ];
 
 fn a_silent_program_is_killed() {
@@ -27,7 +29,7 @@ fn ends(folder: &Path, name: &str) {
     let ids = std::fs::read_to_string(folder.join("cases").join(name)).unwrap();
     for id in ids.lines() {
         let look = format!("kill -0 {id} 2>/dev/null && ! grep -q 'State:.*Z' /proc/{id}/status");
-        let alive = || std::process::Command::new("sh").args(["-c", &look]).status().unwrap().success();
+        let alive = || Command::new("sh").args(["-c", &look]).status().unwrap().success();
         let gone = (0..50).any(|_| !alive() || (std::thread::sleep(Duration::from_millis(20)), false).1);
         assert!(gone, "the {name} still runs");
     }
@@ -49,4 +51,20 @@ fn what_a_right_program_leaves_behind_is_killed() {
     let (code, out, err) = run(&folder, &["run", "--allow-commands"]);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
     ends(&folder, "left");
+}
+
+fn an_interrupt_kills_what_runs() {
+    let folder =
+        ready("programs_interrupt", &[("waits", "sleep 600 & echo $! > child; echo $$ >> child; wait")], "");
+    let mut run = freepath(&folder, &["run", "--allow-commands", "--filter", "waits"]).spawn().unwrap();
+    let runs = || std::fs::read_to_string(folder.join("cases/child")).is_ok_and(|ids| ids.lines().count() == 2);
+    assert!(
+        (0..500).any(|_| runs() || (std::thread::sleep(Duration::from_millis(20)), false).1),
+        "it never starts"
+    );
+    let asked = Instant::now();
+    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
+    assert_eq!(run.wait().unwrap().code(), Some(130));
+    assert!(asked.elapsed() < Duration::from_secs(20));
+    ends(&folder, "child");
 }
