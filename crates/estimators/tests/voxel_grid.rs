@@ -1,7 +1,7 @@
 //! A grid of 4 x 5 x 6 voxels with unequal neighbours, seen along rays of every kind.
 
 use freepath_estimators::medium::voxel_grid::{Filter, Grid, GridRay, Rescale};
-use freepath_estimators::medium::{AnyMedium, Built, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
 use freepath_estimators::{Cells, Extinction, Medium, ParameterError, quadrature, simd};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -405,6 +405,9 @@ impl Surroundings for Folder {
         assert_eq!(*wanted, VolumeRequest::of("rough.npy"));
         Ok(rough())
     }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
+        panic!("a volume has no nodes")
+    }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         self.0
     }
@@ -456,6 +459,9 @@ impl Surroundings for Sparse {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         assert_eq!((wanted.grid, wanted.voxels), (Some("density"), Some(&[[-1, 0, 2], [3, 4, 5]])));
         Ok(Arc::new(Volume { bounds: self.0, ..(*rough()).clone() }))
+    }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
+        panic!("a volume has no nodes")
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         None

@@ -1,11 +1,12 @@
 //! Files that a case names: read with hostile content in mind, refused with a message that repeats none of it but plain
 //! names of grids.
 
-use freepath_estimators::medium::{Volume, VolumeRequest};
+use freepath_estimators::medium::{Nodes, NodesRequest, Volume, VolumeRequest};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
+mod nodes;
 mod npy;
 mod raw;
 pub mod samples;
@@ -94,6 +95,17 @@ mod vdb {
     pub(super) fn volume(_: File, _: u64, _: &VolumeRequest) -> Result<Volume, Refusal> {
         Err(Refusal::new("this program was built without OpenVDB", "one built with `--features vdb`"))
     }
+}
+
+/// The table of t and mu that `wanted` asks for, in the file `path`: `.csv` or `.txt` with or without names in the first line,
+/// or `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran order), of two columns or more.
+///
+/// # Errors
+/// If the file is not regular, not such a table, cut short, empty, above [`Nodes::MOST`] rows, or has no such column; if t does
+/// not increase from 0 (pairs are allowed if jumps are wanted), or mu is negative, NaN or infinite. Nothing is allocated for
+/// rows that the file does not hold.
+pub fn read_nodes(path: &Path, wanted: &NodesRequest) -> Result<Nodes, SourceError> {
+    nodes::read(path, wanted).map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
 }
 
 /// The file and its size. Pipes and devices are refused before they are opened, since that alone may wait for ever.

@@ -1,6 +1,6 @@
 use super::{CaseError, Commands, Ray};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{Raw, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{Nodes, NodesRequest, Raw, Surroundings, Volume, VolumeRequest};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -70,6 +70,11 @@ impl Surroundings for Place<'_> {
         let volume = Arc::new(volume);
         volumes.insert(key, volume.clone());
         Ok(volume)
+    }
+
+    fn nodes(&self, wanted: &NodesRequest) -> Result<Nodes, ParameterError> {
+        let path = self.resolve(wanted.file)?;
+        crate::source::read_nodes(&path, wanted).map_err(|why| ParameterError::unusable("file", why))
     }
 
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {

@@ -49,7 +49,7 @@ impl Stored {
     }
 
     /// nx, ny, nz, if the values fill the rest of the file.
-    fn checked(&self, size: u64) -> Result<[usize; 3], Refusal> {
+    pub(super) fn checked(&self, size: u64) -> Result<[usize; 3], Refusal> {
         let [nx, ny, nz] = self.shape;
         if [nx, ny, nz, self.channels].contains(&0) {
             return Err(Refusal::new("its array is empty", "at least 1 voxel"));
@@ -68,7 +68,12 @@ impl Stored {
     }
 
     /// The values of a channel in the order of a volume, x fastest.
-    fn values(&self, file: &mut dyn Read, shape: [usize; 3], channel: usize) -> Result<Vec<f64>, Refusal> {
+    pub(super) fn values(
+        &self,
+        file: &mut dyn Read,
+        shape: [usize; 3],
+        channel: usize,
+    ) -> Result<Vec<f64>, Refusal> {
         let voxels: usize = shape.iter().product();
         let all = voxels * self.channels as usize;
         let (mut values, mut bytes, mut done) = (vec![0.0; voxels], vec![0; PART * self.width], 0);
