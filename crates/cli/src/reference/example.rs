@@ -1,4 +1,4 @@
-//! How a name stands in a case: required parameters only.
+//! How a name stands in a case: required parameters only, and bounds, which few files know.
 
 use super::{resolve, variants};
 use serde_json::{Map, Value, json};
@@ -34,7 +34,9 @@ fn value(schema: &Value, name: &str, node: &Value) -> Value {
     let node = resolve(schema, node);
     if let Some(properties) = node["properties"].as_object() {
         let required = node["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
-        let fields = required.map(|field| (field.to_string(), value(schema, field, &properties[field])));
+        let bounds = properties.contains_key("bounds").then_some("bounds");
+        let fields =
+            required.chain(bounds).map(|field| (field.to_string(), value(schema, field, &properties[field])));
         return Value::Object(fields.collect::<Map<_, _>>());
     }
     if let Some((first, body, _)) = variants(schema, node).into_iter().next() {

@@ -5,7 +5,7 @@ use freepath_estimators::medium::Volume;
 use std::io::{BufReader, Read};
 
 /// The most values of a volume, all channels together.
-const MOST_VALUES: u64 = 100_000_000;
+pub(super) const MOST_VALUES: u64 = 100_000_000;
 /// How many values are read at a time.
 const PART: usize = 8192;
 
@@ -43,7 +43,7 @@ impl Stored {
         }
         let values = self.values(&mut BufReader::new(file), shape, channel)?;
         match values.iter().position(|v| !v.is_finite()) {
-            None => Ok(Volume { shape, values }),
+            None => Ok(Volume { shape, values, bounds: None }),
             Some(i) => Err(not_finite(shape, i)),
         }
     }
@@ -117,7 +117,7 @@ impl Stored {
     }
 }
 
-fn not_finite([nx, ny, _]: [usize; 3], i: usize) -> Refusal {
+pub(super) fn not_finite([nx, ny, _]: [usize; 3], i: usize) -> Refusal {
     let index = [i / (nx * ny), i / nx % ny, i % nx];
     let cause = format!("the value at [z][y][x] = {index:?} is NaN or infinite");
     Refusal::new(cause, "every value must be finite")
