@@ -27,6 +27,7 @@ const MEDIA: &[&str] = &[
     r#"{ "box_spike": { "base": 0.3, "peak": 6.0, "start": 0.7, "end": 0.9, "length": 2.0 } }"#,
     r#"{ "piecewise_constant": { "edges": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.0, 1.0] } }"#,
     r#"{ "piecewise_linear": { "nodes": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.1, 3.0, 0.0] } }"#,
+    r#"{ "table": { "file": "mu.csv", "interpolation": "linear" } }"#,
     r#"{ "scaled": { "by": 1.5, "medium": { "reversed": { "medium": { "segment": { "from": 0.4, "to": 2.3, "medium":
             { "sinusoid": { "mean": 1.2, "amplitude": 0.9, "frequency": 0.7, "length": 2.9, "phase": -2.0 } } } } } } } }"#,
     r#"{ "segment": { "from": 0.25, "to": 1.75, "medium": { "scaled": { "by": 0.5, "medium": { "reversed": { "medium":
@@ -51,6 +52,7 @@ fn every_medium(argv: &[&str]) {
     }
     let volume = root().join("cases/data/head_epi_24x96x128_u16.npy");
     std::fs::copy(volume, folder.join("adapters/examples/head.npy")).unwrap();
+    put(&folder, "adapters/examples/mu.csv", "t,mu\n0,0.4\n0.7,2.5\n0.7,0.2\n2,3\n");
     let (nearest, trilinear) = (voxels("nearest"), voxels("trilinear"));
     let media: Vec<&str> = MEDIA.iter().copied().chain([nearest.as_str(), &trilinear]).collect();
     every_name_is_among(&media);

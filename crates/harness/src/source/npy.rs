@@ -7,8 +7,8 @@ use super::stored::Stored;
 pub(super) use header::Header;
 use std::io::Read;
 
-/// What a volume may hold.
-const TYPES: &str = "uint8, uint16, float32 or float64, little or big endian";
+/// What a volume or a table may hold.
+pub(super) const TYPES: &str = "uint8, uint16, float32 or float64, little or big endian";
 
 /// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.
 pub(super) fn volume(file: &mut dyn Read) -> Result<Stored, Refusal> {

@@ -224,7 +224,7 @@ fn columns(names: &[String], across: usize, request: &Request) -> Result<(Vec<us
 }
 
 /// The column of this name, or of this number from 0.
-fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal> {
+pub(in crate::source) fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal> {
     let numbered = || name.parse().ok().filter(|&number| number < across);
     unique(names, name)?.or_else(numbered).ok_or_else(|| {
         let allowed = format!("a name of its first line, or a number from 0 to {}", across.saturating_sub(1));
