@@ -115,7 +115,8 @@ fn seeds() -> Vec<Vec<u8>> {
 fn files(cases: &[Prepared]) -> Option<Value> {
     let never = AtomicBool::new(false);
     let options = Options { seed: 1, cancelled: &never, progress: &|_, _| (), repro: "freepath run".into() };
-    let outcome = run::run(cases, &options).ok()?;
+    let mut outcome = run::run(cases, &options).ok()?;
+    outcome.timings.iter_mut().for_each(|timing| timing.seconds = 1e-3.into()); // an input is always the same
     let soaked = soak::Options {
         seed: 1,
         runs: 4,
