@@ -32,7 +32,8 @@ pub(super) const FORMULA: Target = Target {
             Ok(())
         })
     },
-    bounds: Bounds { seconds: 5.0, bytes: 64 << 20, ..SMALL },
+    // five million look-ups before a quadrature gives up, each of up to two thousand steps
+    bounds: Bounds { seconds: 40.0, bytes: 64 << 20, hang: 240.0, ..SMALL },
     quick: 600,
     ..PLAIN
 };

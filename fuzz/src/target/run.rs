@@ -20,7 +20,7 @@ pub(super) const RUN: Target = Target {
     words: WORDS,
     tree: true,
     reader: |_| Box::new(whole),
-    bounds: Bounds { seconds: 20.0, bytes: 512 << 20, per_byte: 4096, hang: 60.0 },
+    bounds: Bounds { seconds: 20.0, bytes: 512 << 20, per_byte: 4096, hang: 240.0 },
     quick: 100,
     ..PLAIN
 };
