@@ -65,6 +65,7 @@ pub struct Verdict {
 }
 
 /// What `reader` does with `input`. One input at a time in a process, since memory and time are the process's.
+#[must_use]
 pub fn judge(name: &str, bounds: &Bounds, input: &[u8], reader: &Reader) -> Verdict {
     static ONE: Mutex<()> = Mutex::new(());
     let _one = lock(&ONE);

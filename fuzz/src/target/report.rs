@@ -76,7 +76,7 @@ fn show(input: &[u8], folder: &Path) -> Answer {
     let options = freepath_report::Options { run: Some("run".into()), ..Default::default() };
     let page = options.html(&results, &beside).map_err(|why| why.to_string())?;
     assert!(!page.contains("<svg onload"), "text of a file is markup");
-    if input.len() % DRAWN == 0 {
+    if input.len().is_multiple_of(DRAWN) {
         options.write(&results, &beside, folder).map_err(|why| why.to_string())?;
     }
     Ok(())
