@@ -17,6 +17,8 @@ pub struct Corpus {
     pub valid: Vec<Vec<u8>>,
     /// Words of the format.
     words: &'static [&'static str],
+    /// Bytes in which most changes are made.
+    head: usize,
     /// Mends an input that was changed.
     repair: fn(&mut Vec<u8>),
     /// The valid ones as JSON, if they are changed as such.
@@ -34,7 +36,7 @@ impl Corpus {
         assert!(!valid.is_empty(), "a target has at least one valid input");
         let parsed = |text: &Vec<u8>| serde_json::from_slice(text).expect("a valid input is JSON");
         let trees = if target.tree { valid.iter().map(parsed).collect() } else { Vec::new() };
-        Self { valid, words: target.words, repair: target.repair, trees }
+        Self { valid, words: target.words, head: target.head, repair: target.repair, trees }
     }
 }
 

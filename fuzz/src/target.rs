@@ -5,6 +5,7 @@ use std::path::Path;
 
 mod case;
 mod formula;
+mod nodes;
 mod planted;
 #[cfg(unix)]
 mod program;
@@ -29,6 +30,8 @@ pub struct Target {
     pub seeds: fn() -> Vec<Vec<u8>>,
     /// Words of the format.
     pub words: &'static [&'static str],
+    /// Bytes in which most changes are made: those of a header.
+    pub head: usize,
     /// The inputs are JSON, and are changed as such.
     pub tree: bool,
     /// Mends what a changed input would be refused for at once, such as the length of its header.
@@ -47,6 +50,7 @@ const PLAIN: Target = Target {
     about: "",
     seeds: Vec::new,
     words: &[],
+    head: 160,
     tree: false,
     repair: |_| (),
     reader: |_| Box::new(|_| Ok(())),
@@ -61,6 +65,10 @@ pub fn all() -> &'static [Target] {
         volume::NPY,
         volume::VOL,
         volume::RAW,
+        #[cfg(feature = "vdb")]
+        volume::VDB,
+        nodes::NPY,
+        nodes::CSV,
         samples::NPY,
         samples::CSV,
         samples::TXT,

@@ -3,9 +3,6 @@
 use super::{Corpus, LONGEST, Random, hostile, pick};
 use rand::RngExt;
 
-/// Where most changes are made.
-const HEAD: usize = 160;
-
 /// Nothing but words of the format, and numbers.
 pub(super) fn of_words(corpus: &Corpus, random: &mut Random) -> Vec<u8> {
     let mut input = Vec::new();
@@ -25,15 +22,15 @@ fn word(corpus: &Corpus, random: &mut Random) -> Vec<u8> {
 }
 
 /// A place, its end included: mostly in the head.
-fn place(input: &[u8], random: &mut Random) -> usize {
+fn place(input: &[u8], head: usize, random: &mut Random) -> usize {
     let whole = random.random_range(0..8) == 0;
-    let end = if whole || input.len() < HEAD { input.len() } else { HEAD };
+    let end = if whole || input.len() < head { input.len() } else { head };
     random.random_range(0..=end)
 }
 
 /// A part: mostly short, mostly in the head.
-fn part(input: &[u8], random: &mut Random) -> std::ops::Range<usize> {
-    let start = place(input, random);
+fn part(input: &[u8], head: usize, random: &mut Random) -> std::ops::Range<usize> {
+    let start = place(input, head, random);
     let most = if random.random_range(0..4) == 0 { input.len() } else { 32 };
     let left = input.len() - start;
     start..start + random.random_range(0..=if left < most { left } else { most })
@@ -41,7 +38,7 @@ fn part(input: &[u8], random: &mut Random) -> std::ops::Range<usize> {
 
 /// One change.
 pub(super) fn change(input: &mut Vec<u8>, corpus: &Corpus, random: &mut Random) {
-    let at = place(input, random);
+    let (head, at) = (corpus.head, place(input, corpus.head, random));
     match random.random_range(0..14) {
         0 | 1 => overwrite(input, at, &[input.get(at).copied().unwrap_or(0) ^ (1 << random.random_range(0..8))]),
         2 => overwrite(input, at, &[random.random()]),
@@ -51,8 +48,8 @@ pub(super) fn change(input: &mut Vec<u8>, corpus: &Corpus, random: &mut Random) 
             overwrite(input, at, &bytes[..width]);
         }
         6 => float(input, at, random),
-        7 => drop(input.drain(part(input, random))),
-        8 => repeat(input, random),
+        7 => drop(input.drain(part(input, head, random))),
+        8 => repeat(input, head, random),
         9 => insert(input, at, &word(corpus, random)),
         10 => number(input, at, random),
         11 => splice(input, at, corpus, random),
@@ -94,8 +91,8 @@ fn float(input: &mut Vec<u8>, at: usize, random: &mut Random) {
 }
 
 /// A part once more, or very often.
-fn repeat(input: &mut Vec<u8>, random: &mut Random) {
-    let part = part(input, random);
+fn repeat(input: &mut Vec<u8>, head: usize, random: &mut Random) {
+    let part = part(input, head, random);
     let times = 1 << if random.random_range(0..4) == 0 { random.random_range(0..14) } else { 0 };
     if part.len() * times + input.len() <= LONGEST {
         let repeated = input[part.clone()].repeat(times);
@@ -115,5 +112,5 @@ fn number(input: &mut Vec<u8>, at: usize, random: &mut Random) {
 fn splice(input: &mut Vec<u8>, at: usize, corpus: &Corpus, random: &mut Random) {
     let other = pick(&corpus.valid, random);
     input.truncate(at);
-    input.extend_from_slice(&other[place(other, random)..]);
+    input.extend_from_slice(&other[place(other, corpus.head, random)..]);
 }

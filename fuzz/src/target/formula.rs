@@ -3,7 +3,7 @@
 use super::{PLAIN, Target};
 use crate::judge::{Bounds, SMALL};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{AnyMedium, Built, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
 use std::sync::Arc;
 
 /// Extinction as an expression in t.
@@ -52,6 +52,9 @@ struct Nowhere;
 
 impl Surroundings for Nowhere {
     fn volume(&self, _: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        Err(ParameterError::unusable("file", "there are no files"))
+    }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
         Err(ParameterError::unusable("file", "there are no files"))
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {

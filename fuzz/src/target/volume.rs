@@ -68,6 +68,37 @@ pub(super) const RAW: Target = Target {
     ..PLAIN
 };
 
+/// OpenVDB's, as other programs wrote them.
+#[cfg(feature = "vdb")]
+pub(super) const VDB: Target = Target {
+    name: "vdb",
+    about: "a volume in a .vdb file of OpenVDB",
+    seeds: || {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/harness/tests/vdb");
+        let mut files: Vec<_> = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).collect();
+        files.sort_by_key(std::fs::DirEntry::path);
+        let vdb = files
+            .iter()
+            .map(std::fs::DirEntry::path)
+            .filter(|path| path.extension().is_some_and(|end| end == "vdb"));
+        vdb.filter_map(|path| std::fs::read(path).ok()).filter(|bytes| bytes.len() < 30_000).collect()
+    },
+    words: &[
+        "Tree_float_5_4_3",
+        "Tree_float_5_4_3_HalfFloat",
+        "UniformScaleMap",
+        "class",
+        "string",
+        "vec3i",
+        "float",
+        "density",
+    ],
+    head: 2000,
+    reader: |folder| from_file(folder, "volume.vdb"),
+    quick: 1000,
+    ..PLAIN
+};
+
 /// The stated length of the header of a .npy file that begins at `start`: up to its first line's end.
 pub(super) fn header_length(input: &mut [u8], start: usize) {
     let Some(npy) = input.get_mut(start..) else { return };
@@ -99,14 +130,18 @@ fn from_file(folder: &Path, name: &str) -> Reader {
 fn both(file: &Path, raw: Option<&Raw>) -> Answer {
     let channel = |channel| {
         let volume =
-            read_volume(file, &VolumeRequest { file: "", channel, raw }).map_err(|why| why.to_string())?;
+            read_volume(file, &VolumeRequest { channel, raw, voxels: Some(&VOXELS), ..VolumeRequest::of("") })
+                .map_err(|why| why.to_string())?;
         assert_eq!(volume.values.len(), volume.shape.iter().product::<usize>(), "a value for each voxel");
         assert!(volume.values.iter().all(|value| value.is_finite()), "every value is finite");
         Ok(())
     };
     let second = channel(1);
-    channel(0).or(second)
+    channel(0).or_else(|why| second.map_err(|_| why))
 }
+
+/// The box that is read of a grid that has none.
+const VOXELS: [[i32; 3]; 2] = [[-20; 3], [20; 3]];
 
 fn npy() -> Vec<Vec<u8>> {
     let kinds = [("|u1", 1), ("<u2", 2), (">u2", 2), ("<f4", 4), (">f4", 4), ("<f8", 8), (">f8", 8)];
