@@ -140,7 +140,7 @@
     });
     drawing.addEventListener("pointerleave", () => { svg.querySelector(".hair")?.remove(); output.textContent = ""; });
     drawing.addEventListener("keydown", (event) => {
-      const step = { ArrowLeft: -24, ArrowRight: 24 }[event.key];
+      const step = { ArrowLeft: -12, ArrowRight: 12 }[event.key];
       const panel = panels(JSON.parse(svg.dataset.plot))[0];
       if (!step || !panel) return;
       event.preventDefault();

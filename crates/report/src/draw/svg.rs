@@ -7,7 +7,7 @@ use super::{Ink, Mark, Picture, Point, Shape, readout};
 
 const STACK: &str = r#""DejaVu Sans", Verdana, sans-serif"#;
 /// The most that leaving out points may move a line, in units: half a pixel.
-const MOST_OFF: f64 = 2.0;
+const MOST_OFF: f64 = 1.0;
 
 /// For the page: looks are classes of the style sheet, the size is left to it, and scripts find the axes.
 pub(crate) fn inline(picture: &Picture) -> String {
