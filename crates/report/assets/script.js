@@ -12,10 +12,13 @@
   addEventListener("beforeprint", () => all("details").forEach((d) => { d.open = true; }));
 
   // Copy a command.
-  all(".copy").forEach((button) => {
-    button.hidden = false;
+  all(".repro code").forEach((code) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "Copy";
+    code.after(button);
     button.addEventListener("click", () => {
-      const code = button.parentElement.querySelector("code");
       const done = () => { button.textContent = "Copied"; setTimeout(() => { button.textContent = "Copy"; }, 1500); };
       const select = () => getSelection().selectAllChildren(code);
       if (navigator.clipboard) navigator.clipboard.writeText(code.textContent).then(done, select);
@@ -130,7 +133,9 @@
   };
   all(".drawing").forEach((drawing) => {
     const svg = drawing.querySelector("svg");
-    const output = drawing.querySelector("output");
+    const output = document.createElement("output");
+    drawing.append(output);
+    drawing.tabIndex = 0;
     let at = null;
     drawing.addEventListener("pointermove", (event) => {
       const map = svg.getScreenCTM();
@@ -140,7 +145,7 @@
     });
     drawing.addEventListener("pointerleave", () => { svg.querySelector(".hair")?.remove(); output.textContent = ""; });
     drawing.addEventListener("keydown", (event) => {
-      const step = { ArrowLeft: -12, ArrowRight: 12 }[event.key];
+      const step = { ArrowLeft: -24, ArrowRight: 24 }[event.key];
       const panel = panels(JSON.parse(svg.dataset.plot))[0];
       if (!step || !panel) return;
       event.preventDefault();

@@ -47,7 +47,11 @@ fn thin(points: Vec<Point>) -> Vec<Point> {
         return points;
     }
     let run = (2 * points.len()).div_ceil(MOST_DRAWN);
-    points.chunks(run).flat_map(ends).collect()
+    let last = points.last().copied();
+    let mut kept: Vec<Point> = points.chunks(run).flat_map(ends).collect();
+    // A curve ends where its points do.
+    kept.extend(last.filter(|last| kept.last() != Some(last)));
+    kept
 }
 
 fn ends(run: &[Point]) -> Vec<Point> {

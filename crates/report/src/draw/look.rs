@@ -4,7 +4,7 @@ use super::pen::units;
 use super::{Align, Ink, SMALL, Stroke};
 
 /// The width of a line of one pixel, which the style sheet gives to all others.
-const HAIRLINE: i32 = 2;
+const HAIRLINE: i32 = 4;
 
 /// What shapes of one path or one group of texts share.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +65,7 @@ fn by_class(look: Look) -> String {
 fn by_attributes(look: Look) -> String {
     match look {
         Look::Line(Stroke { ink, width, dashed }) => {
-            let dashes = if dashed { " stroke-dasharray=\"16 10\"" } else { "" };
+            let dashes = if dashed { " stroke-dasharray=\"32 20\"" } else { "" };
             format!(" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{dashes}", ink.literal(), units(width))
         }
         Look::Fill { ink, alpha, crisp } => {

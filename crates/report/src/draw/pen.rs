@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-/// Units of an SVG for a pixel of a picture: one for each pixel of a screen of high density.
-pub(super) const UNITS: f64 = 2.0;
+/// Units of an SVG for a pixel of a picture: finer than any screen shows.
+pub(super) const UNITS: f64 = 4.0;
 
 /// A place in whole units.
 pub(super) type Place = (i32, i32);
@@ -111,6 +111,6 @@ mod tests {
         let mut pen = Pen::default();
         pen.circle((10, 10), 4);
         assert_eq!(pen.data(), "m6 10a4 4 0 0 1 8 0 4 4 0 0 1-8 0z");
-        assert_eq!([units(1.13), units(f64::INFINITY), units(-1e9)], [2, 100_000, -10_000]);
+        assert_eq!([units(1.13), units(f64::INFINITY), units(-1e9)], [5, 100_000, -10_000]);
     }
 }

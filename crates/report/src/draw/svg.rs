@@ -6,7 +6,7 @@ use super::pen::{Pen, Place, UNITS, units};
 use super::{Ink, Mark, Picture, Point, Shape, readout};
 
 const STACK: &str = r#""DejaVu Sans", Verdana, sans-serif"#;
-/// The most that leaving out points may move a line, in units: half a pixel.
+/// The most that leaving out points may move a line, in units: a quarter of a pixel, or smooth curves show corners.
 const MOST_OFF: f64 = 1.0;
 
 /// For the page: looks are classes of the style sheet, the size is left to it, and scripts find the axes.

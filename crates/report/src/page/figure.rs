@@ -3,6 +3,7 @@
 use crate::draw::inline;
 use crate::figures::{Drawn, Figures};
 use crate::site::{Site, Subject};
+use std::collections::BTreeMap;
 
 /// A plot with its words.
 pub(crate) struct FigureView {
@@ -47,17 +48,23 @@ pub(crate) struct Reading {
 }
 
 impl Reading {
-    /// One for each kind of plot that a quiet subject has.
+    /// One for each kind of plot of which several have the same words, and half of them or more.
     pub(crate) fn all(site: &Site, figures: &Figures) -> Vec<Self> {
-        let mut readings: Vec<Self> = vec![];
+        let mut kinds: BTreeMap<&'static str, BTreeMap<&str, (usize, &str)>> = BTreeMap::new();
         let quiet = site.subjects.iter().zip(&figures.subjects).filter(|(subject, _)| is_quiet(subject));
-        for figure in quiet.flat_map(|(_, drawn)| drawn).map(|drawn| &drawn.figure) {
-            if readings.iter().all(|reading| reading.name != figure.name) {
-                let (heading, words) = (figure.heading.clone(), figure.words.clone());
-                readings.push(Self { name: figure.name, heading, words });
-            }
+        for Drawn { figure, .. } in quiet.flat_map(|(_, drawn)| drawn) {
+            let words = kinds.entry(figure.name).or_default().entry(&figure.words);
+            words.or_insert((0, &figure.heading)).0 += 1;
         }
-        readings
+        kinds.into_iter().filter_map(|(name, all)| Self::of(name, &all)).collect()
+    }
+
+    /// From how often each of the words stand under a kind of plot, and under which heading.
+    fn of(name: &'static str, all: &BTreeMap<&str, (usize, &str)>) -> Option<Self> {
+        let plots: usize = all.values().map(|(count, _)| count).sum();
+        let (words, (count, heading)) = all.iter().max_by_key(|(_, (count, _))| count)?;
+        let shared = *count > 1 && 2 * count >= plots;
+        shared.then(|| Self { name, heading: (*heading).into(), words: (*words).into() })
     }
 }
 

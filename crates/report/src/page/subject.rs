@@ -158,6 +158,11 @@ fn draws(subject: &Subject) -> String {
     format!("{}{second} ({} asked for){left}", count(result.draws), count(result.draws_requested))
 }
 
+/// A test that was withheld has none.
+fn statistic(test: &TestResult) -> String {
+    if test.p.is_none() && test.statistic.0.is_nan() { "–".into() } else { short(test.statistic.0) }
+}
+
 fn test(test: &TestResult) -> TestRow {
     let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
     let chance = |p| shown(p, probability);
@@ -170,7 +175,7 @@ fn test(test: &TestResult) -> TestRow {
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
-        statistic: short(test.statistic.0),
+        statistic: statistic(test),
         dof: shown(test.dof, short),
         p: chance(test.p),
         adjusted: chance(test.p_adjusted),
