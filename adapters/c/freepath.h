@@ -178,9 +178,10 @@ static inline void freepath_read_table(freepath_medium *medium, const char *path
 
 static inline void freepath_read_medium(freepath_medium *medium) {
     const char *outer = freepath_find(medium->request, "medium");
-    char *table = freepath_string(medium->request, "table");
+    const char *after = strstr(medium->request, "\"majorants\"");
+    char *table = after ? freepath_string(after, "table") : NULL; /* a medium is called so, too */
     const char *is = outer && *outer == '{' ? outer + 1 + strspn(outer + 1, " \t") : "";
-    medium->length = strtod(freepath_find(strstr(medium->request, "\"majorants\""), "length"), NULL);
+    medium->length = freepath_number(after, "length", 1, 0.0);
     if (table) {
         freepath_read_table(medium, table);
         free(table);

@@ -30,7 +30,7 @@ pub(crate) fn voxels() -> Fallible<(GridRay, scalar::Voxels)> {
         10.0 * s * s
     };
     let values = (0..VOXELS * VOXELS * VOXELS).map(value).collect();
-    let volume = Arc::new(Volume { shape: [VOXELS; 3], values });
+    let volume = Arc::new(Volume { shape: [VOXELS; 3], values, bounds: None });
     let bounds = [[0.0; 3], [1.0; 3]];
     let grid = Grid::new(volume.clone(), Filter::Trilinear, bounds, Rescale::default())?;
     let ray = grid.ray(ORIGIN, TOWARDS)?;

@@ -392,6 +392,7 @@ fn a_medium_that_contradicts_itself_is_seen() {
         assert!(fact.as_ref().is_some_and(|fact| fact.words.contains(what)), "{what}: {fact:?}");
     };
     assert_eq!(medium(&bump()), None);
+    assert_eq!(medium(&freepath_estimators::medium::Constant::new(0.0, 2.0).expect("empty")), None);
     says(&Changed { tau: |inner, t| inner.tau(t) * (1.0 + 1e-6), ..bump() }, "has the integral");
     says(&Changed { tau: |inner, t| inner.tau(t) + 0.1, ..bump() }, "at 0");
     says(&Changed { tau: |_, _| f64::NAN, ..bump() }, "NaN");

@@ -11,6 +11,7 @@ mod exponential;
 mod formula;
 mod gaussian;
 mod linear;
+mod nodes;
 mod numeric;
 mod panels;
 mod pieces;
@@ -21,11 +22,13 @@ mod reversed;
 mod scaled;
 mod segment;
 mod sinusoid;
+mod table;
 mod view;
 mod volume;
 
 pub use chromatic::ChromaticMedium;
 pub mod voxel_grid;
+pub use nodes::{Nodes, NodesRequest};
 pub use numeric::{Numeric, numeric};
 pub use reversed::reversed;
 pub use scaled::scaled;
@@ -58,6 +61,12 @@ pub trait Surroundings {
     /// If the file may not or cannot be read.
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError>;
 
+    /// The table that is asked for; its file is a name relative to the case file.
+    ///
+    /// # Errors
+    /// If the file may not or cannot be read.
+    fn nodes(&self, wanted: &NodesRequest) -> Result<Nodes, ParameterError>;
+
     /// Origin and direction that replace the description's own, for a case of many rays.
     fn ray(&self) -> Option<([f64; 3], [f64; 3])>;
 }
@@ -74,6 +83,7 @@ crate::list! {
         box_spike::BoxSpike,
         piecewise_constant::PiecewiseConstant,
         piecewise_linear::PiecewiseLinear,
+        table::Table,
         chromatic::Chromatic,
         scaled::Scaled,
         reversed::Reversed,

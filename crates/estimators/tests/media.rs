@@ -86,7 +86,8 @@ fn extrema_bound_and_are_attained() {
         for (a, b) in [(0.0, d), (0.1 * d, 0.35 * d), (0.3 * d, 0.9 * d), (0.77 * d, d), (0.5 * d, 0.5 * d)] {
             let (low, high) = medium.extrema(a, b);
             let scan = (0..=20_000).map(|i| a + (b - a) * f64::from(i) / 20_000.0);
-            let inside = scan.chain(places(&medium, 1)).chain([b]).filter(|&t| a <= t && t <= b);
+            let before = medium.breaks().iter().map(|t| t.next_down());
+            let inside = scan.chain(places(&medium, 1)).chain(before).chain([b]).filter(|&t| a <= t && t <= b);
             let seen = inside.map(|t| medium.mu(t));
             let (least, greatest) = seen.fold((f64::INFINITY, 0.0), |(low, high), mu| {
                 (if mu < low { mu } else { low }, if mu > high { mu } else { high })

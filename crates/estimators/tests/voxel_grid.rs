@@ -1,7 +1,7 @@
 //! A grid of 4 x 5 x 6 voxels with unequal neighbours, seen along rays of every kind.
 
 use freepath_estimators::medium::voxel_grid::{Filter, Grid, GridRay, Rescale};
-use freepath_estimators::medium::{AnyMedium, Built, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
 use freepath_estimators::{Cells, Extinction, Medium, ParameterError, quadrature, simd};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ fn volume(value: impl Fn([usize; 3]) -> f64) -> Arc<Volume> {
     let [nx, ny, nz] = SHAPE;
     let at = |i: usize| [i % nx, i / nx % ny, i / (nx * ny)];
     let values = (0..nx * ny * nz).map(|i| value(at(i))).collect();
-    Arc::new(Volume { shape: SHAPE, values })
+    Arc::new(Volume { shape: SHAPE, values, bounds: None })
 }
 
 /// Neighbours from 0 to 4 without a pattern, some of them empty.
@@ -316,7 +316,7 @@ fn grids_one_voxel_thin_are_seen() {
     for shape in [[1, 1, 1], [3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 3], [2, 1, 3], [3, 2, 1]] {
         let values: Vec<f64> = (1..=shape.iter().product()).map(|i: usize| i as f64).collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let volume = Arc::new(Volume { shape, values });
+        let volume = Arc::new(Volume { shape, values, bounds: None });
         for filter in FILTERS {
             let grid = Grid::new(volume.clone(), filter, [[0.0; 3], [1.0; 3]], Rescale::default()).unwrap();
             let ray = grid.ray([0.0; 3], [1.0; 3]).unwrap();
@@ -369,7 +369,7 @@ fn a_voxel_without_extinction_is_refused_with_its_index() {
 #[test]
 fn volumes_and_boxes_that_do_not_fit_are_refused() {
     let build = |shape, values: Vec<f64>, bounds| {
-        let volume = Arc::new(Volume { shape, values });
+        let volume = Arc::new(Volume { shape, values, bounds: None });
         Grid::new(volume, Filter::Nearest, bounds, Rescale::default()).is_ok()
     };
     assert!(build([2, 1, 1], vec![1.0; 2], BOUNDS));
@@ -404,6 +404,9 @@ impl Surroundings for Folder {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         assert_eq!(*wanted, VolumeRequest::of("rough.npy"));
         Ok(rough())
+    }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
+        panic!("a volume has no nodes")
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         self.0
@@ -449,6 +452,53 @@ fn a_wrong_case_is_refused() {
     }
 }
 
+/// A folder with one `.vdb` file, which may know its bounds.
+struct Sparse(Option<[[f64; 3]; 2]>);
+
+impl Surroundings for Sparse {
+    fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
+        assert_eq!((wanted.grid, wanted.voxels), (Some("density"), Some(&[[-1, 0, 2], [3, 4, 5]])));
+        Ok(Arc::new(Volume { bounds: self.0, ..(*rough()).clone() }))
+    }
+    fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
+        panic!("a volume has no nodes")
+    }
+    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+        None
+    }
+}
+
+#[test]
+fn a_file_may_know_its_bounds_and_a_case_may_overrule_them() {
+    const OWN: &str = r#""bounds": [[-1, 0.5, 2], [1, 3.5, 4.5]],"#;
+    let sparse =
+        JSON.replace("rough.npy\"", "r.vdb\", \"grid\": \"density\", \"voxels\": [[-1, 0, 2], [3, 4, 5]]");
+    let build = |text: &str, known| {
+        let built = serde_json::from_str::<AnyMedium>(text).unwrap().build(&Sparse(known));
+        built.map(|built| if let Built::Grey(ray) = built { ray.length() } else { f64::NAN })
+    };
+    let stated = build(&sparse, None).unwrap();
+    let without = sparse.replace(OWN, "");
+    assert_eq!(build(&without, Some([[-1.0, 0.5, 2.0], [1.0, 3.5, 4.5]])), Ok(stated));
+    let twice = Some([[-2.0, -2.5, -0.5], [2.0, 3.5, 4.5]]);
+    assert!(build(&without, twice).unwrap() > stated && build(&sparse, twice) == Ok(stated));
+    let refused = build(&without, None).unwrap_err().to_string();
+    assert!(
+        refused.contains("bounds must be two corners of the box") && refused.contains("not missing"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn only_a_vdb_file_has_grids_and_a_part() {
+    for more in [r#""grid": "density""#, r#""voxels": [[0, 0, 0], [1, 1, 1]]"#] {
+        let text = JSON.replace(r#""filter""#, &format!(r#"{more}, "filter""#));
+        let refused = serde_json::from_str::<AnyMedium>(&text).unwrap_err().to_string();
+        assert!(refused.contains("except for a .vdb file"), "{refused}");
+        assert!(serde_json::from_str::<AnyMedium>(&text.replace(".npy", ".VDB")).is_ok());
+    }
+}
+
 /// A number that often lies on a plane of the grid, or close to one.
 fn place() -> impl Strategy<Value = f64> {
     let on_plane = (0..=24).prop_map(|k| f64::from(k) / 12.0 - 0.5);
@@ -474,7 +524,7 @@ proptest! {
         let cells = shape.iter().product();
         let values = (0..cells).map(|i| ((i + seed) * 2_654_435_761 % 997) as f64 / 100.0).collect();
         let filter = FILTERS[usize::from(trilinear)];
-        let grid = Grid::new(Arc::new(Volume { shape, values }), filter, [[0.0; 3], [1.0; 3]], Rescale::default());
+        let grid = Grid::new(Arc::new(Volume { shape, values, bounds: None }), filter, [[0.0; 3], [1.0; 3]], Rescale::default());
         if let Ok(ray) = grid.unwrap().ray(origin, direction) {
             let t: Vec<f64> = points(0.0, ray.length(), 99).chain(turns(&ray)).collect();
             let t = t.into_iter().filter(|&t| t <= ray.length());

@@ -86,7 +86,7 @@ pub fn agree(
     watch: &Watch,
 ) -> Result<(Evidence, Vec<Fact>), Stopped> {
     let scene = Scene::Grey { truth: &variant.truth, seen: &variant.seen };
-    let key = subject.key ^ crate::case::hash(variant.agreement.test());
+    let key = subject.key ^ crate::hash::hash(variant.agreement.test());
     let there = Subject { scene, key, ..subject.clone() };
     let other = collect(&there, plan, seed, blocks, watch)?;
     let facts = judge(&there, plan, &other).facts;

@@ -4,9 +4,10 @@ use crate::tally::NullTally;
 use freepath_estimators::random::Spent;
 use freepath_estimators::{Cells, Extinction, Majorants, simd};
 use std::cell::{Cell, RefCell};
+use std::fmt;
 
 /// What was recorded of some look-ups.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Audit {
     /// All look-ups.
     pub lookups: u64,
@@ -14,6 +15,35 @@ pub struct Audit {
     pub outside: u64,
     /// With mu above the majorant beyond rounding, negative, or NaN.
     pub above: u64,
+    /// The worst of those.
+    pub worst: Option<Excess>,
+}
+
+/// A look-up whose mu is not within its bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Excess {
+    /// Where.
+    pub t: f64,
+    /// What was found there.
+    pub mu: f64,
+    /// The majorant there.
+    pub bound: f64,
+}
+
+impl Excess {
+    /// The one of the larger excess, NaN being the largest, and of equal ones the first along the ray: in any order of merging
+    /// the same.
+    fn worse(self, other: Self) -> Self {
+        let excess = |of: Self| (of.mu - of.bound).abs();
+        let order = excess(self).total_cmp(&excess(other)).then(other.t.total_cmp(&self.t));
+        if order.is_lt() { other } else { self }
+    }
+}
+
+impl fmt::Display for Excess {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "at t = {}, where mu is {} and the majorant {}", self.t, self.mu, self.bound)
+    }
 }
 
 impl Audit {
@@ -24,6 +54,10 @@ impl Audit {
             lookups: self.lookups + other.lookups,
             outside: self.outside + other.outside,
             above: self.above + other.above,
+            worst: match (self.worst, other.worst) {
+                (Some(one), Some(two)) => Some(one.worse(two)),
+                (one, two) => one.or(two),
+            },
         }
     }
 }
@@ -40,6 +74,7 @@ pub struct Audited<'a> {
     /// 1 + the relative excess that counts as rounding.
     rounding: f64,
     record: Cell<Audit>,
+    worst: Cell<Option<Excess>>,
     /// Told of every look-up, if anyone is.
     watch: Option<&'a RefCell<NullTally>>,
 }
@@ -48,7 +83,14 @@ impl<'a> Audited<'a> {
     /// `medium`, with at most `budget` look-ups.
     #[must_use]
     pub fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
-        Self { medium, budget, rounding: 1.0 + rounding, record: Cell::default(), watch: None }
+        Self {
+            medium,
+            budget,
+            rounding: 1.0 + rounding,
+            record: Cell::default(),
+            worst: Cell::default(),
+            watch: None,
+        }
     }
 
     /// The same, and `watch` is told of every look-up.
@@ -60,7 +102,7 @@ impl<'a> Audited<'a> {
     /// What was recorded.
     #[must_use]
     pub fn record(&self) -> Audit {
-        self.record.get()
+        Audit { worst: self.worst.get(), ..self.record.get() }
     }
 
     /// Whether the budget is spent.
@@ -106,8 +148,20 @@ impl<'a> Audited<'a> {
         }
     }
 
+    /// Keeps the worst of some look-ups of which one is above its bound.
+    #[cold]
+    fn keep(&self, t: &[f64], mu: &[f64]) {
+        for (&t, &mu) in t.iter().zip(mu) {
+            let bound = self.medium.majorants().mu_bar_at(t);
+            if above(mu, bound * self.rounding) > 0 {
+                let one = Excess { t, mu, bound };
+                self.worst.set(Some(self.worst.get().map_or(one, |worst| worst.worse(one))));
+            }
+        }
+    }
+
     fn note(&self, lookups: usize, outside: u64, above: u64) {
-        let more = Audit { lookups: lookups as u64, outside, above };
+        let more = Audit { lookups: lookups as u64, outside, above, worst: None };
         let record = self.record.get().plus(more);
         self.record.set(record);
         if record.lookups > self.budget.saturating_mul(2) {
@@ -146,7 +200,11 @@ impl Extinction for Audited<'_> {
         let mu = self.medium.mu(t);
         let bound = self.medium.majorants().mu_bar_at(t) * self.rounding;
         self.tell(&[t], &[mu]);
-        self.note(1, outside(t, self.medium.length()), above(mu, bound));
+        let over = above(mu, bound);
+        if over > 0 {
+            self.keep(&[t], &[mu]);
+        }
+        self.note(1, outside(t, self.medium.length()), over);
         if self.spent() { f64::NAN } else { mu }
     }
 
@@ -169,9 +227,43 @@ impl Extinction for Audited<'_> {
             || self.check(t, mu),
         );
         self.tell(t, mu);
+        if over > 0 {
+            self.keep(t, mu);
+        }
         self.note(t.len(), out, over);
         if self.spent() {
             mu.fill(f64::NAN);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use freepath_estimators::Under;
+    use freepath_estimators::medium::Linear;
+
+    #[test]
+    fn the_worst_look_up_is_the_same_in_any_order() {
+        let of = |t, mu| Excess { t, mu, bound: 2.0 };
+        for (one, two) in
+            [(of(0.5, 3.0), of(0.1, 2.5)), (of(0.2, 3.0), of(0.7, 3.0)), (of(0.9, f64::NAN), of(0.1, 9.0))]
+        {
+            let [first, second] = [one.worse(two), two.worse(one)];
+            assert_eq!(first.t.to_bits(), one.t.to_bits());
+            assert_eq!(second.t.to_bits(), one.t.to_bits());
+        }
+    }
+
+    #[test]
+    fn look_ups_one_by_one_and_in_tiles_leave_the_same_record() {
+        let medium = Under::new(Linear::new(0.5, 2.5, 4.0).unwrap(), Majorants::constant(2.0, 4.0));
+        let places: Vec<f64> = (0..300).map(|i| f64::from(i * 97 % 301) * 4.0 / 300.0).collect();
+        let (single, tiles) = (Audited::new(&medium, 1000, 1e-12), Audited::new(&medium, 1000, 1e-12));
+        places.iter().for_each(|&t| assert!(single.mu(t) >= 0.0));
+        tiles.mu_tile(&places, &mut vec![0.0; places.len()]);
+        let worst = Excess { t: 4.0, mu: 2.5, bound: 2.0 };
+        assert_eq!((single.record(), single.record().worst), (tiles.record(), Some(worst)));
+        assert_eq!(worst.to_string(), "at t = 4, where mu is 2.5 and the majorant 2");
     }
 }

@@ -24,11 +24,11 @@ mod samples;
 mod subject;
 mod surroundings;
 
+pub use crate::claim::{BiasBound, Claim};
 pub use brought::{Brought, ListError, Lists};
 pub use command::{Command, Commands};
 pub use error::CaseError;
 pub use faults::Faults;
-pub use name::hash;
 pub use origin::Origin;
 pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
@@ -92,27 +92,6 @@ pub struct Ray {
     pub direction: [f64; 3],
 }
 
-/// How small the bias must be shown to be.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum BiasBound {
-    /// In units of the mean; for a free path a probability, the most that its distribution function may be off.
-    Absolute(f64),
-    /// As a share of the expected mean; for a free path of 1, the greatest value of a distribution function.
-    Relative(f64),
-}
-
-impl BiasBound {
-    /// The bound on the error of something of this size.
-    #[must_use]
-    pub fn of(self, size: f64) -> f64 {
-        match self {
-            Self::Absolute(bound) => bound,
-            Self::Relative(share) => share * size,
-        }
-    }
-}
-
 /// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -167,23 +146,6 @@ pub struct Subject {
     /// Instead of the case's.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub agree: Option<Vec<Agreement>>,
-}
-
-/// A claim that a case may withdraw from a subject.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Claim {
-    /// That no look-up exceeds the majorant.
-    Bounded,
-    /// The second moment.
-    SecondMoment,
-    /// The expected look-ups, and the law of tentative collisions.
-    Lookups,
-    /// That draws are independent.
-    Independent,
-    /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
-    /// of the draws, the audit, and what is checked without noise.
-    Truth,
 }
 
 /// The JSON schema of a case (draft 2020-12).

@@ -99,7 +99,8 @@ impl Judged {
     fn audit(&mut self, plan: &Plan, seen: &Collected) {
         let audit = seen.counts.audit;
         if plan.bounded {
-            let what = format!("of {} look-ups lie above the majorant", audit.lookups);
+            let worst = audit.worst.map_or(String::new(), |worst| format!(", the worst {worst}"));
+            let what = format!("of {} look-ups lie above the majorant{worst}", audit.lookups);
             self.fact("audit", audit.above, Reason::BoundViolated, &what);
         }
         let what = format!("of {} look-ups lie outside the ray", audit.lookups);

@@ -15,6 +15,7 @@
 //!
 //! Cost: points times scrambles walks, one by one.
 
+use crate::blocks::NETS;
 use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
 use crate::special::student_t_two_sided;
@@ -30,9 +31,6 @@ pub use net::{DIMENSIONS, MOST_POINTS, Net};
 
 /// The interval misses the bias with this probability.
 pub const LEVEL: f64 = 1e-3;
-
-/// Blocks of walks are numbered from here, beyond those of identities.
-const FIRST_BLOCK: u64 = 1 << 46;
 
 /// Largest |skewness| / sqrt(points) of a mean for which an interval is given.
 const MOST_SKEWNESS: f64 = 0.1;
@@ -95,7 +93,7 @@ fn scramble(
     focus: Focus,
     r: u32,
 ) -> Result<PowerSums, String> {
-    let first = FIRST_BLOCK + (u64::from(r) << 20);
+    let first = NETS + (u64::from(r) << 20);
     let key = |i: u32| Key { seed: focus.seed, subject: subject.key, block: first + u64::from(i) };
     let (net, mut draws) = (Net::new(key(MOST_POINTS)), columns(subject, 1));
     let mut sums = PowerSums::new(expected(plan, truth));

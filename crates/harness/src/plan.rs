@@ -1,6 +1,6 @@
 //! From a subject's claims to what is tallied and tested.
 
-use crate::case::Claim;
+use crate::claim::Claim;
 use crate::law::Law;
 use crate::samples::SampleKind;
 use crate::sequence::Bets;

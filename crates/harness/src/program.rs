@@ -107,7 +107,7 @@ impl SampleSource for Program {
     fn open<'a>(&'a self, wanted: &Wanted<'a>) -> Result<Box<dyn Rows + 'a>, String> {
         let draws = (wanted.blocks.end - wanted.blocks.start).saturating_mul(BLOCK as u64);
         let (seed, stage) =
-            (request::seed(wanted, wanted.blocks.start), crate::run::stage_of(wanted.blocks.start));
+            (request::seed(wanted, wanted.blocks.start), crate::blocks::stage_of(wanted.blocks.start));
         let process = self.start(draws, seed, stage, wanted).map_err(|why| self.error(&why))?;
         let output = Output { process, across: self.across, bytes: Vec::new() };
         Ok(Box::new(ProgramRows { program: self, output, left: draws, read: 0, events: Vec::new() }))

@@ -25,7 +25,6 @@ mod series;
 mod subjects;
 
 pub use expect::expected;
-pub(crate) use grow::stage_of;
 pub use media::medium_result;
 pub use subjects::{id, quoted};
 

@@ -69,7 +69,7 @@ pub fn sample_block(
 ) -> Result<BlockRecord, String> {
     let record = sample_watched(subject, Streams::new(key), draws, watch)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-    let place = BlockPlace { key: faulty_key(subject, key), first, subject };
+    let place = BlockPlace { key: faulty_key(subject, key), first, work: subject.work, scene: subject.scene };
     subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
     Ok(record)
 }

@@ -17,6 +17,7 @@
 //!
 //! Cost: some 3,000 draws for each method, and at most 10^6 look-ups.
 
+use crate::blocks::SCRIPTS;
 use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
@@ -37,9 +38,6 @@ pub(crate) const CHECK: &str = "scripted";
 /// What it looks at.
 pub(crate) const WORDS: &str = "A fact: driven by uniforms at the ends of [0, 1) (0, 2^-53, 2^-24, 1/2, the largest below 1) at each of the first eight \
 positions of its stream and at the first 64, a subject gave NaN, an infinity where a finite value is due, a draw or a look-up outside the ray, or did not end.";
-
-/// Blocks of scripted draws are numbered from here, beyond those of stages and growth.
-const FIRST_BLOCK: u64 = 1 << 44;
 
 /// Most look-ups of one method: a subject that makes more for a draw meets fewer scripts, the first positions first.
 const MOST_LOOKUPS: u64 = 1_000_000;
@@ -64,8 +62,8 @@ fn has_methods(subject: &Subject) -> bool {
 fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
     let rows = rows(subject.route);
     let (mut draws, mut found, mut lookups) = (columns(subject, rows), Findings::default(), 0);
-    for (i, scripted) in Scripted::all(Key { seed, subject: subject.key, block: FIRST_BLOCK }).enumerate() {
-        let key = Key { seed, subject: subject.key, block: FIRST_BLOCK + i as u64 };
+    for (i, scripted) in Scripted::all(Key { seed, subject: subject.key, block: SCRIPTS }).enumerate() {
+        let key = Key { seed, subject: subject.key, block: SCRIPTS + i as u64 };
         match drive(subject, key, &scripted.script, &mut draws) {
             Ok(outside) => {
                 lookups += outside.0;

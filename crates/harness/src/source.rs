@@ -1,14 +1,18 @@
-//! Files that a case names: read with hostile content in mind, refused with a message that repeats none of it.
+//! Files that a case names: read with hostile content in mind, refused with a message that repeats none of it but plain
+//! names of grids.
 
-use freepath_estimators::medium::{Volume, VolumeRequest};
+use freepath_estimators::medium::{Nodes, NodesRequest, Volume, VolumeRequest};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
+mod nodes;
 mod npy;
 mod raw;
 pub mod samples;
 mod stored;
+#[cfg(feature = "vdb")]
+mod vdb;
 mod vol;
 
 /// A file that cannot be used: which, why, and what is allowed.
@@ -61,24 +65,47 @@ impl From<io::Error> for Refusal {
 }
 
 /// The volume that `wanted` asks for, in the file `path`: `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran
-/// order), `.vol` of Mitsuba (version 3, f32), or values without a header if their layout is stated.
+/// order), `.vol` of Mitsuba (version 3, f32), `.vdb` of OpenVDB (versions 222 to 224, grids of f32, whole or saved as
+/// half; with the feature `vdb`), or values without a header if their layout is stated.
 ///
 /// # Errors
 /// If the file is not regular, not such an array, longer or shorter than its shape, above 1e8 values, has no such channel,
-/// or holds a NaN or an infinity. Nothing is allocated for values that the file does not hold.
+/// or holds a NaN or an infinity; or if it is a `.vdb` file and this program was built without. Nothing is allocated for
+/// values that the file does not hold, except for the box of a `.vdb` grid.
 pub fn read_volume(path: &Path, wanted: &VolumeRequest) -> Result<Volume, SourceError> {
     let read = || {
         let (mut file, size) = open_regular(path)?;
+        let named = |ending| path.extension().is_some_and(|name| name.eq_ignore_ascii_case(ending));
         let stored = match wanted.raw {
             Some(raw) => raw::volume(raw),
-            None if path.extension().is_some_and(|name| name.eq_ignore_ascii_case("vol")) => {
-                vol::volume(&mut file)?
-            }
+            None if named("vdb") => return vdb::volume(file, size, wanted),
+            None if named("vol") => vol::volume(&mut file)?,
             None => npy::volume(&mut file)?,
         };
         stored.read(&mut file, size, wanted.channel)
     };
     read().map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
+}
+
+/// The table of t and mu that `wanted` asks for, in the file `path`: `.csv` or `.txt` with or without names in the first line,
+/// or `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran order), of two columns or more.
+///
+/// # Errors
+/// If the file is not regular, not such a table, cut short, empty, above [`Nodes::MOST`] rows, or has no such column; if t does
+/// not increase from 0 (pairs are allowed if jumps are wanted), or mu is negative, NaN or infinite. Nothing is allocated for
+/// rows that the file does not hold.
+pub fn read_nodes(path: &Path, wanted: &NodesRequest) -> Result<Nodes, SourceError> {
+    nodes::read(path, wanted).map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
+}
+
+/// Stands in for the reader of `.vdb` files.
+#[cfg(not(feature = "vdb"))]
+mod vdb {
+    use super::{File, Refusal, Volume, VolumeRequest};
+
+    pub(super) fn volume(_: File, _: u64, _: &VolumeRequest) -> Result<Volume, Refusal> {
+        Err(Refusal::new("this program was built without OpenVDB", "one built with `--features vdb`"))
+    }
 }
 
 /// The file and its size. Pipes and devices are refused before they are opened, since that alone may wait for ever.
@@ -176,6 +203,15 @@ pub(crate) mod tests {
         assert!(message(&Temporary::path("absent.npy").0).contains("(a file that can be read)"));
         #[cfg(unix)]
         assert!(message(Path::new("/dev/zero")).contains("not a regular file"));
+    }
+
+    #[test]
+    #[cfg(not(feature = "vdb"))]
+    fn a_vdb_file_names_the_feature_that_reads_it() {
+        let file = Temporary::holding("cloud.vdb", b" BDV\0\0\0\0");
+        let message = read_volume(&file.0, &VolumeRequest::of("")).unwrap_err().to_string();
+        let why = "cloud.vdb: this program was built without OpenVDB (one built with `--features vdb`)";
+        assert!(message.ends_with(why), "{message}");
     }
 
     #[test]

@@ -1,59 +1,17 @@
 //! A subject ready to run: what is under test, in which medium, under which faults.
 
-use crate::case::{BiasBound, Claim};
+use crate::claim::{BiasBound, Claim};
 use crate::fault::Fault;
-use crate::samples::{SampleKind, SampleSource};
-use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::random::UNIFORM_BITS;
-use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 
-/// Rows of a block: part of the format, since streams belong to blocks.
-pub const BLOCK: usize = 16_384;
+pub use crate::blocks::BLOCK;
+pub use crate::scene::{Scene, Work};
 
 /// Draws of stage 1 unless a case says otherwise.
 pub const DRAWS: u64 = 1_000_000;
 
 /// Look-ups and random words that a block may take, per draw.
 pub const BUDGET_PER_DRAW: u64 = 2_000_000;
-
-/// What makes the draws.
-#[derive(Clone, Copy)]
-pub enum Work<'a> {
-    /// Inversion of the optical depth, from the truth.
-    Exact,
-    /// A free-path sampler.
-    FreePath(&'a dyn FreePathSampler),
-    /// exp(-tau), from the truth.
-    ClosedForm,
-    /// A transmittance estimator.
-    Transmittance(&'a dyn TransmittanceEstimator),
-    /// A chromatic sampler.
-    Chromatic(&'a dyn ChromaticSampler),
-    /// Draws that are made elsewhere.
-    Samples(SampleKind, &'a dyn SampleSource),
-}
-
-impl Work<'_> {
-    /// Whether every draw is made already: then the second stage is read, whatever the first gives.
-    #[must_use]
-    pub fn finished(&self) -> bool {
-        matches!(self, Self::Samples(_, source) if source.finished())
-    }
-}
-
-/// Where the draws are made.
-#[derive(Clone, Copy)]
-pub enum Scene<'a> {
-    /// One extinction.
-    Grey {
-        /// The medium under the majorants that it should have.
-        truth: &'a dyn Medium,
-        /// The same under the majorants that the subject sees.
-        seen: &'a dyn Medium,
-    },
-    /// Homogeneous channels.
-    Chromatic(&'a ChromaticMedium),
-}
 
 /// Which of a subject's methods is driven.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -21,7 +21,7 @@ use freepath_harness::results::MOST_POINTS;
 pub(crate) const WIDTH: f64 = 640.0;
 
 /// Most points of a curve: a pixel shows no more.
-const MOST_DRAWN: usize = 200;
+const MOST_DRAWN: usize = 150;
 
 /// A picture with the words that belong beside it.
 #[derive(Clone, Debug)]
@@ -41,17 +41,22 @@ pub(crate) fn pairs(x: &[Real], y: &[Real]) -> Vec<Point> {
     thin(all)
 }
 
-/// In every run of points the least and the greatest, so that no peak is lost.
+/// Of every run of points the least and the greatest, so that no peak is lost, and both sides of every jump.
 fn thin(points: Vec<Point>) -> Vec<Point> {
     if points.len() <= MOST_DRAWN {
         return points;
     }
     let run = (2 * points.len()).div_ceil(MOST_DRAWN);
-    let last = points.last().copied();
-    let mut kept: Vec<Point> = points.chunks(run).flat_map(ends).collect();
-    // A curve ends where its points do.
-    kept.extend(last.filter(|last| kept.last() != Some(last)));
-    kept
+    let (width, height) = (reach(points.iter().map(|p| p.0)), reach(points.iter().map(|p| p.1)));
+    let jumps = |a: &Point, b: &Point| (b.0 - a.0).abs() < 1e-6 * width && (b.1 - a.1).abs() > 1e-3 * height;
+    points.chunk_by(|a, b| !jumps(a, b)).flat_map(|piece| thin_piece(piece, run)).collect()
+}
+
+/// The first, the last, and what is kept of the runs between them.
+fn thin_piece(piece: &[Point], run: usize) -> Vec<Point> {
+    let [first, inside @ .., last] = piece else { return piece.to_vec() };
+    let kept = inside.chunks(run).flat_map(ends);
+    std::iter::once(*first).chain(kept).chain([*last]).collect()
 }
 
 fn ends(run: &[Point]) -> Vec<Point> {
@@ -75,4 +80,25 @@ pub(crate) fn span(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> 
         None => Some((x, x)),
         Some((lo, hi)) => Some((x.min(lo), x.max(hi))),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thinned_curve_keeps_its_ends_its_peaks_and_both_sides_of_its_jumps() {
+        let value = |t: f64| if t < 0.5 { 0.1 * t } else { 3.0 - t };
+        let grid = (0..=2000).map(|i| f64::from(i) / 2000.0).filter(|&t| (t - 0.5).abs() > 1e-6);
+        let mut points: Vec<Point> = grid.chain([0.5 - 1e-9, 0.5 + 1e-9]).map(|t| (t, value(t))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points[1234].1 = 9.0;
+        let kept = thin(points.clone());
+        assert!(kept.len() <= MOST_DRAWN + 4, "{}", kept.len());
+        let must = [points[0], points[1234], points[2001], (0.5 - 1e-9, value(0.4999)), (0.5 + 1e-9, value(0.5))];
+        for (t, y) in must {
+            assert!(kept.iter().any(|p| (p.0 - t).abs() < 1e-12 && (p.1 - y).abs() < 1e-4), "{t}");
+        }
+        assert!(kept.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+    }
 }

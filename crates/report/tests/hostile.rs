@@ -130,7 +130,10 @@ fn flooded(value: f64, length: usize) -> Results {
         let many = || vec![x; length];
         (m.length, m.extrema) = (x, [x; 2]);
         m.series =
-            vec![MediumSeries { t: many(), mu: many(), majorant: many(), transmittance: many() }; length.min(9)];
+            vec![
+                MediumSeries { t: many(), mu: many(), majorant: many(), tau: many(), transmittance: many() };
+                length.min(9)
+            ];
     }
     results
 }

@@ -46,7 +46,14 @@ fn words(case: &Prepared, medium: &MediumResult, rows: u32) -> String {
     let ray = medium.ray.map(|ray| format!(", ray {ray}")).unwrap_or_default();
     let mut text = format!("{}{ray}: {}\n", cell(&medium.file, 200), cell(&medium.case, 200));
     let [low, high] = medium.extrema;
-    let _ = writeln!(text, "{}, length {}, mu from {:.6} to {:.6}", medium.medium, medium.length.0, low.0, high.0);
+    let _ = writeln!(
+        text,
+        "{}, length {}, mu between {} and {}",
+        medium.medium,
+        medium.length.0,
+        number(low.0),
+        number(high.0)
+    );
     let extinctions: Vec<(String, &dyn Medium)> = match &case.world {
         World::Grey(medium) => vec![(String::new(), medium)],
         World::Chromatic(medium) => {
@@ -64,18 +71,29 @@ fn table(channel: &str, medium: &dyn Medium, rows: u32) -> String {
     let (length, majorants) = (medium.length(), medium.majorants());
     let tau = medium.tau(length);
     let mut text = format!(
-        "{channel}tau {tau:.9} (+- {:.0e}), T {:.9e}, {} majorant segment{}, integral of the majorant {:.6}\n",
+        "{channel}tau {} (+- {:.0e}), T {}, {} majorant segment{}, integral of the majorant {}\n",
+        digits(tau, 9),
         medium.tau_error(),
-        libm::exp(-tau),
+        digits(libm::exp(-tau), 9),
         majorants.ends().len(),
         if majorants.ends().len() == 1 { "" } else { "s" },
-        majorants.depth(length),
+        number(majorants.depth(length)),
     );
     let _ = writeln!(text, "{:>12}  {:>12}  {:>12}  {:>12}  {:>12}", "t", "mu", "majorant", "tau", "T");
     for i in 0..=rows {
         let t = if i == rows { length } else { length * f64::from(i) / f64::from(rows) };
-        let (mu, bound, tau) = (medium.mu(t), majorants.mu_bar_at(t), medium.tau(t));
-        let _ = writeln!(text, "{t:>12.6}  {mu:>12.6}  {bound:>12.6}  {tau:>12.6}  {:>12.6e}", libm::exp(-tau));
+        let tau = medium.tau(t);
+        let row = [t, medium.mu(t), majorants.mu_bar_at(t), tau, libm::exp(-tau)].map(number);
+        let _ = writeln!(text, "{:>12}  {:>12}  {:>12}  {:>12}  {:>12}", row[0], row[1], row[2], row[3], row[4]);
     }
     text
+}
+
+fn number(x: f64) -> String {
+    digits(x, 6)
+}
+
+/// `x` with at least so many digits, or decimals.
+fn digits(x: f64, most: usize) -> String {
+    if x == 0.0 || (x >= 0.1 && x < 1e5) { format!("{x:.most$}") } else { format!("{x:.*e}", most - 1) }
 }

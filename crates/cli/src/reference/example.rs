@@ -1,4 +1,4 @@
-//! How a name stands in a case: required parameters only.
+//! How a name stands in a case: required parameters only, and bounds, which few files know.
 
 use super::{resolve, variants};
 use serde_json::{Map, Value, json};
@@ -10,6 +10,9 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
         _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
         _ if (kind, name) == ("medium", "formula") => {
             json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
+        }
+        _ if (kind, name) == ("medium", "table") => {
+            json!({ name: { "file": "mu.csv", "interpolation": "linear" } })
         }
         _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
         _ if name == "command" => json!({ name: { "argv": ["python3", "mine.py"] } }),
@@ -31,7 +34,9 @@ fn value(schema: &Value, name: &str, node: &Value) -> Value {
     let node = resolve(schema, node);
     if let Some(properties) = node["properties"].as_object() {
         let required = node["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
-        let fields = required.map(|field| (field.to_string(), value(schema, field, &properties[field])));
+        let bounds = properties.contains_key("bounds").then_some("bounds");
+        let fields =
+            required.chain(bounds).map(|field| (field.to_string(), value(schema, field, &properties[field])));
         return Value::Object(fields.collect::<Map<_, _>>());
     }
     if let Some((first, body, _)) = variants(schema, node).into_iter().next() {

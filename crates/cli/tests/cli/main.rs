@@ -9,3 +9,4 @@ mod samples;
 mod signals;
 mod soak;
 mod support;
+mod table;

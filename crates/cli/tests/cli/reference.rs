@@ -79,6 +79,7 @@ fn every_example_can_be_run() {
         }
         put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
     }
+    put(&folder, "cases/mu.csv", "t,mu\n0,1.5\n2,0.5\n");
     put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
     let (code, _, err) = run(&folder, &["run", "--draws", "1", "--quiet", "--allow-commands"]);
     assert!(code < 2 || code == 4, "{err}");

@@ -62,6 +62,7 @@ fn every_table(argv: &[&str]) {
         r#"{ "box_spike": { "base": 0.3, "peak": 6.0, "start": 0.7, "end": 0.9, "length": 2.0 } }"#,
         r#"{ "piecewise_constant": { "edges": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.0, 1.0] } }"#,
         r#"{ "piecewise_linear": { "nodes": [0.0, 0.5, 1.2, 2.0], "values": [2.0, 0.1, 3.0, 0.0] } }"#,
+        r#"{ "table": { "file": "mu.csv", "interpolation": "linear" } }"#,
         &voxels("nearest"),
         &voxels("trilinear"),
     ];
@@ -72,6 +73,7 @@ fn every_table(argv: &[&str]) {
         }
         let volume = root().join("cases/data/head_epi_24x96x128_u16.npy");
         std::fs::copy(volume, folder.join("adapters/examples/head.npy")).unwrap();
+        put(&folder, "adapters/examples/mu.csv", "t,mu\n0,0.4\n0.7,2.5\n0.7,0.2\n2,3\n");
         let command = serde_json::json!({ "argv": argv });
         let case = format!(
             r#"{{ "title": "table {i}", "medium": {medium}, "draws": 60000,

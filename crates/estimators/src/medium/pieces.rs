@@ -7,13 +7,30 @@ pub(super) const MOST: usize = 1_000_000;
 
 /// Refuses edges of pieces that do not increase from 0.
 pub(super) fn check_edges(name: &'static str, edges: &[f64]) -> Result<(), ParameterError> {
-    let allowed = edges.len() >= 2 && edges.len() <= MOST + 1;
-    let must_be = format!("from 2 to {} numbers", MOST + 1);
-    parameter::require(allowed, name, format!("{} of them", edges.len()), &must_be)?;
-    parameter::require(edges[0] == 0.0, name, edges[0], "0 at the start")?;
-    for pair in edges.windows(2) {
+    check_places(name, edges, |_| false, "finite and increasing from 0")
+}
+
+/// The same for nodes, which may be the same in pairs inside.
+pub(super) fn check_nodes(name: &'static str, nodes: &[f64]) -> Result<(), ParameterError> {
+    let inside = |i: usize| i > 0 && i + 2 < nodes.len() && nodes[i] > nodes[i - 1];
+    check_places(name, nodes, inside, "finite and increasing from 0, or the same in two inside the ray, a jump")
+}
+
+/// Refuses places that do not increase from 0, but where `same` lets a place be that before it, the `i`-th.
+fn check_places(
+    name: &'static str,
+    places: &[f64],
+    same: impl Fn(usize) -> bool,
+    must_be: &str,
+) -> Result<(), ParameterError> {
+    let allowed = places.len() >= 2 && places.len() <= MOST + 1;
+    let count = format!("from 2 to {} numbers", MOST + 1);
+    parameter::require(allowed, name, format!("{} of them", places.len()), &count)?;
+    parameter::require(places[0] == 0.0, name, places[0], "0 at the start")?;
+    for (i, pair) in places.windows(2).enumerate() {
         let increases = pair[1] > pair[0] && pair[1] < f64::INFINITY;
-        parameter::require(increases, name, pair[1], "finite and increasing from 0")?;
+        let jumps = pair[1] - pair[0] == 0.0 && same(i);
+        parameter::require(increases || jumps, name, pair[1], must_be)?;
     }
     Ok(())
 }

@@ -86,6 +86,9 @@ impl Extinction for PiecewiseConstant {
 
 impl Medium for PiecewiseConstant {
     fn tau(&self, t: f64) -> f64 {
+        if t >= self.length() {
+            return self.depths.total();
+        }
         let (k, Parameters { edges, values }) = (self.piece(t), &self.parameters);
         self.depths.reach(k, values[k] * (t - edges[k]))
     }

@@ -4,7 +4,7 @@ use crate::extinction::{self, Cells, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::ParameterError;
 
-/// Extinction linear between nodes.
+/// Extinction linear between nodes; at two equal nodes it jumps, and the second of their values holds there.
 ///
 /// ```text
 /// mu(t)  = values[i] + (values[i + 1] - values[i]) s / h         s = t - nodes[i], h = nodes[i + 1] - nodes[i]
@@ -14,6 +14,10 @@ use crate::parameter::ParameterError;
 #[serde(try_from = "Parameters", into = "Parameters")]
 pub struct PiecewiseLinear {
     parameters: Parameters,
+    /// The nodes, each once.
+    edges: Vec<f64>,
+    /// From each edge to the next.
+    ramps: Vec<Ramp>,
     depths: Depths,
     majorants: Majorants,
 }
@@ -22,7 +26,7 @@ pub struct PiecewiseLinear {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "piecewise_linear")]
 struct Parameters {
-    /// Where extinction is given, increasing from 0 to the length of the ray.
+    /// Where extinction is given, increasing from 0 to the length of the ray; the same twice where it jumps.
     nodes: Vec<f64>,
     /// Extinction at each node, 1/length.
     values: Vec<f64>,
@@ -32,27 +36,16 @@ impl PiecewiseLinear {
     /// Extinction `values[i]` at `nodes[i]`, linear between them.
     ///
     /// # Errors
-    /// If the nodes do not increase from 0, a value is negative, the values are not as many as the nodes, or any number
-    /// is not finite.
+    /// If the nodes do not increase from 0, but for pairs inside the ray, a value is negative, the values are not as many as
+    /// the nodes, or any number is not finite.
     pub fn new(nodes: Vec<f64>, values: Vec<f64>) -> Result<Self, ParameterError> {
         Self::try_from(Parameters { nodes, values })
     }
 
     #[inline(always)]
     fn piece(&self, t: f64) -> usize {
-        self.breaks().partition_point(|&node| node <= t)
+        self.breaks().partition_point(|&edge| edge <= t)
     }
-
-    #[inline(always)]
-    fn ramp(&self, k: usize) -> Ramp {
-        ramp(&self.parameters, k)
-    }
-}
-
-/// The piece between node `k` and the next.
-#[inline(always)]
-fn ramp(Parameters { nodes, values }: &Parameters, k: usize) -> Ramp {
-    Ramp { from: values[k], to: values[k + 1], width: nodes[k + 1] - nodes[k] }
 }
 
 impl TryFrom<Parameters> for PiecewiseLinear {
@@ -60,14 +53,14 @@ impl TryFrom<Parameters> for PiecewiseLinear {
 
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
         let Parameters { nodes, values } = &parameters;
-        pieces::check_edges("nodes", nodes)?;
+        pieces::check_nodes("nodes", nodes)?;
         pieces::check_values(values, nodes.len(), "as many as the nodes")?;
-        let ramps = (0..nodes.len() - 1).map(|k| ramp(&parameters, k));
-        let unbounded = Self {
-            depths: Depths::new(ramps.map(|ramp| ramp.tau(ramp.width))),
-            parameters,
-            majorants: Majorants::default(),
-        };
+        let ramp = |k: usize| Ramp { from: values[k], to: values[k + 1], width: nodes[k + 1] - nodes[k] };
+        let ramps: Vec<Ramp> = (0..nodes.len() - 1).map(ramp).filter(|ramp| ramp.width > 0.0).collect();
+        let mut edges = nodes.clone();
+        edges.dedup();
+        let depths = Depths::new(ramps.iter().map(|ramp| ramp.tau(ramp.width)));
+        let unbounded = Self { parameters, edges, ramps, depths, majorants: Majorants::default() };
         Ok(Self { majorants: Majorants::tight(&unbounded, 1), ..unbounded })
     }
 }
@@ -80,19 +73,19 @@ impl From<PiecewiseLinear> for Parameters {
 
 impl Extinction for PiecewiseLinear {
     fn length(&self) -> f64 {
-        self.parameters.nodes[self.parameters.nodes.len() - 1]
+        self.edges[self.ramps.len()]
     }
     #[inline(always)]
     fn mu(&self, t: f64) -> f64 {
         let k = self.piece(t);
-        self.ramp(k).mu(t - self.parameters.nodes[k])
+        self.ramps[k].mu(t - self.edges[k])
     }
     fn majorants(&self) -> &Majorants {
         &self.majorants
     }
     #[inline(always)]
     fn breaks(&self) -> &[f64] {
-        &self.parameters.nodes[1..self.parameters.nodes.len() - 1]
+        &self.edges[1..self.ramps.len()]
     }
     fn cells(&self) -> Cells {
         Cells::Linear
@@ -101,22 +94,25 @@ impl Extinction for PiecewiseLinear {
 
 impl Medium for PiecewiseLinear {
     fn tau(&self, t: f64) -> f64 {
+        if t >= self.length() {
+            return self.depths.total();
+        }
         let k = self.piece(t);
-        let inside = self.ramp(k).tau(t - self.parameters.nodes[k]);
-        self.depths.reach(k, inside)
+        self.depths.reach(k, self.ramps[k].tau(t - self.edges[k]))
     }
     fn inverse_tau(&self, depth: f64) -> f64 {
         extinction::invert(depth, self.depths.total(), || {
             let (k, rest) = self.depths.piece_of(depth);
-            let (start, end) = (self.parameters.nodes[k], self.parameters.nodes[k + 1]);
-            let t = start + self.ramp(k).inverse_tau(rest);
+            let (start, end) = (self.edges[k], self.edges[k + 1]);
+            let t = start + self.ramps[k].inverse_tau(rest);
             if t < end { t } else { end }
         })
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
-        let inside = &self.parameters.values[self.piece(a) + 1..=self.piece(b)];
-        let ends = [self.mu(a), self.mu(b)];
-        pieces::extrema(ends.iter().chain(inside).copied())
+        let (first, last) = (self.piece(a), self.piece(b));
+        let (left, entered) = (&self.ramps[first..last], &self.ramps[first..=last]);
+        let inside = left.iter().map(|ramp| ramp.to).chain(entered.iter().skip(1).map(|ramp| ramp.from));
+        pieces::extrema([self.mu(a), self.mu(b)].into_iter().chain(inside))
     }
 }
 
@@ -146,6 +142,29 @@ mod tests {
         assert_eq!(tent().extrema(0.5, 2.0), (1.0, 2.0));
         assert_eq!(tent().extrema(0.25, 0.5), (0.5, 1.0));
         assert_eq!(tent().extrema(2.0, 3.25), (0.0, 1.0));
+    }
+
+    #[test]
+    fn a_pair_of_nodes_is_a_jump() {
+        let medium = PiecewiseLinear::new(vec![0.0, 1.0, 1.0, 2.0], vec![1.0, 3.0, 0.5, 0.5]).unwrap();
+        assert_eq!((medium.breaks(), medium.length()), (&[1.0][..], 2.0));
+        assert_eq!((medium.mu(1.0f64.next_down()) > 2.9, medium.mu(1.0)), (true, 0.5));
+        assert_eq!((medium.tau(1.0), medium.tau(2.0), medium.inverse_tau(2.25)), (2.0, 2.5, 1.5));
+        assert_eq!((medium.extrema(0.5, 1.0), medium.extrema(1.0, 2.0)), ((0.5, 3.0), (0.5, 0.5)));
+        assert_eq!(Majorants::tight(&medium, 2).mu_bar(), [medium.mu(1.0f64.next_down()), 0.5]);
+    }
+
+    #[test]
+    fn nodes_are_refused_that_are_no_jump_inside() {
+        for nodes in [[0.0, 0.0, 1.0, 2.0], [0.0, 1.0, 2.0, 2.0], [0.0, 1.0, 0.5, 2.0], [0.0, 1.0, f64::NAN, 2.0]]
+        {
+            let refusal = PiecewiseLinear::new(nodes.to_vec(), vec![1.0; 4]).unwrap_err().to_string();
+            assert!(
+                refusal.starts_with("nodes must be finite and increasing from 0, or the same in two"),
+                "{refusal}"
+            );
+        }
+        assert!(PiecewiseLinear::new(vec![0.0, 1.0, 1.0, 1.0, 2.0], vec![1.0; 5]).is_err(), "three");
     }
 
     #[test]

@@ -5,6 +5,8 @@ pub struct Volume {
     pub shape: [usize; 3],
     /// x fastest.
     pub values: Vec<f64>,
+    /// Two corners of the box that the grid fills, where the file knows them.
+    pub bounds: Option<[[f64; 3]; 2]>,
 }
 
 /// Which volume a description wants.
@@ -16,13 +18,17 @@ pub struct VolumeRequest<'a> {
     pub channel: usize,
     /// The layout of a file without a header.
     pub raw: Option<&'a Raw>,
+    /// Which of several grids, by name.
+    pub grid: Option<&'a str>,
+    /// The first and the last voxel of the wanted part, both in it.
+    pub voxels: Option<&'a [[i32; 3]; 2]>,
 }
 
 impl<'a> VolumeRequest<'a> {
     /// The first channel of `file`, whose header says the rest.
     #[must_use]
     pub fn of(file: &'a str) -> Self {
-        Self { file, channel: 0, raw: None }
+        Self { file, channel: 0, raw: None, grid: None, voxels: None }
     }
 }
 

@@ -10,7 +10,7 @@ mod ray;
 pub use grid::{Filter, Grid, Rescale};
 pub use ray::GridRay;
 
-use crate::medium::{Built, Describe, Raw, Surroundings, VolumeRequest};
+use crate::medium::{Built, Describe, Raw, Surroundings, Volume, VolumeRequest};
 use crate::parameter::{self, ParameterError};
 use std::sync::Arc;
 
@@ -21,9 +21,9 @@ use std::sync::Arc;
 /// ```
 ///
 /// `file` holds the values v as an array `[z][y][x]` that fills `bounds`, each at the centre of its cell; the border values
-/// are held in the outer half cells. t is a length in the units of the bounds, from where the ray enters the box, or
-/// from the origin if that lies inside. Along a ray the trilinear filter is a cubic between its planes, so that tau,
-/// its inverse and the extrema are exact.
+/// are held in the outer half cells. Of a `.vdb` grid (feature `vdb`) they are the box around the active voxels, or `voxels`.
+/// t is a length in the units of the bounds, from where the ray enters the box, or from the origin if that lies inside.
+/// Along a ray the trilinear filter is a cubic between its planes, so that tau, its inverse and the extrema are exact.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(try_from = "Parameters", into = "Parameters")]
 pub struct VoxelGrid {
@@ -35,7 +35,7 @@ pub struct VoxelGrid {
 #[schemars(rename = "voxel_grid")]
 struct Parameters {
     /// The file of the values, an array `[z][y][x]` or `[z][y][x][channel]`: `.npy`, `.vol` (Mitsuba), or any name with
-    /// `raw`.
+    /// `raw`; or `.vdb` (OpenVDB), a sparse tree.
     file: String,
     /// Which of the values of a voxel, from 0.
     #[serde(default)]
@@ -43,10 +43,18 @@ struct Parameters {
     /// The layout of a file without a header.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     raw: Option<Raw>,
+    /// Which grid of a `.vdb` file, if it has several; `name[1]` is the second of one name.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    grid: Option<String>,
+    /// The first and the last voxel of the part of a `.vdb` grid that is read, `[[i0, j0, k0], [i1, j1, k1]]`, both in it.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    voxels: Option<[[i32; 3]; 2]>,
     /// How mu follows from the values around a point.
     filter: Filter,
-    /// Two corners of the box, `[[x0, y0, z0], [x1, y1, z1]]`.
-    bounds: [[f64; 3]; 2],
+    /// Two corners of the box, `[[x0, y0, z0], [x1, y1, z1]]`; may be left out for a `.vdb` grid whose own transform keeps
+    /// the axes.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    bounds: Option<[[f64; 3]; 2]>,
     /// Where the ray starts.
     origin: [f64; 3],
     /// Where the ray goes; of any length but 0.
@@ -59,6 +67,37 @@ struct Parameters {
     offset: f64,
 }
 
+impl Parameters {
+    /// Only a file that tells its layout itself may have several grids, and be read in part.
+    fn layout(&self) -> Result<(), ParameterError> {
+        let vdb =
+            std::path::Path::new(&self.file).extension().is_some_and(|name| name.eq_ignore_ascii_case("vdb"));
+        let only_vdb = |name, stated: bool| match stated && (!vdb || self.raw.is_some()) {
+            true => Err(ParameterError::new(name, "stated", "left out, except for a .vdb file without `raw`")),
+            false => Ok(()),
+        };
+        only_vdb("grid", self.grid.is_some())?;
+        only_vdb("voxels", self.voxels.is_some())
+    }
+
+    fn request(&self) -> VolumeRequest<'_> {
+        let Self { file, channel, raw, grid, voxels, .. } = self;
+        VolumeRequest {
+            file,
+            channel: *channel,
+            raw: raw.as_ref(),
+            grid: grid.as_deref(),
+            voxels: voxels.as_ref(),
+        }
+    }
+
+    /// The stated bounds, or the file's own.
+    fn bounds(&self, volume: &Volume) -> Result<[[f64; 3]; 2], ParameterError> {
+        let must_be = "two corners of the box, since the file states none that is parallel to the axes";
+        self.bounds.or(volume.bounds).ok_or_else(|| ParameterError::new("bounds", "missing", must_be))
+    }
+}
+
 fn one() -> f64 {
     Rescale::default().scale
 }
@@ -67,7 +106,8 @@ impl TryFrom<Parameters> for VoxelGrid {
     type Error = ParameterError;
 
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
-        bounds::Bounds::new(parameters.bounds)?;
+        parameters.bounds.map(bounds::Bounds::new).transpose()?;
+        parameters.layout()?;
         bounds::unit(parameters.direction)?;
         for x in parameters.origin {
             parameter::finite("origin", x)?;
@@ -86,10 +126,10 @@ impl From<VoxelGrid> for Parameters {
 
 impl Describe for VoxelGrid {
     fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
-        let Parameters { file, channel, raw, scale, offset, .. } = &self.parameters;
-        let volume = surroundings.volume(&VolumeRequest { file, channel: *channel, raw: raw.as_ref() })?;
-        let rescale = Rescale { scale: *scale, offset: *offset };
-        let grid = Grid::new(volume, self.parameters.filter, self.parameters.bounds, rescale)?;
+        let Parameters { scale, offset, filter, .. } = self.parameters;
+        let volume = surroundings.volume(&self.parameters.request())?;
+        let bounds = self.parameters.bounds(&volume)?;
+        let grid = Grid::new(volume, filter, bounds, Rescale { scale, offset })?;
         let own = (self.parameters.origin, self.parameters.direction);
         let (origin, direction) = surroundings.ray().unwrap_or(own);
         Ok(Built::Grey(Arc::new(grid.ray(origin, direction)?)))

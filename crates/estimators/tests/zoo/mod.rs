@@ -1,7 +1,7 @@
 //! The media that the tests visit: every name of the list, every wrapper, wrappers of wrappers, and two functions.
 
 use freepath_estimators::medium::{
-    AnyMedium, Built, ChromaticMedium, Surroundings, Volume, VolumeRequest, numeric,
+    AnyMedium, Built, ChromaticMedium, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest, numeric,
 };
 use freepath_estimators::{Extinction, Medium, ParameterError};
 use std::sync::Arc;
@@ -23,6 +23,11 @@ const GREY: &[&str] = &[
     r#"{"piecewise_constant": {"edges": [0, 0.4, 1.3, 2.9], "values": [1.5, 0, 3]}}"#,
     r#"{"piecewise_linear": {"nodes": [0, 0.7, 1.9, 2.8], "values": [1.2, 0.3, 5.0, 0.8]}}"#,
     r#"{"piecewise_linear": {"nodes": [0, 1, 1.5, 3.2], "values": [0.5, 0, 0, 2]}}"#,
+    r#"{"piecewise_linear": {"nodes": [0, 0.8, 0.8, 1.7, 1.7, 2.4], "values": [1, 2.5, 0.3, 0, 4, 1.5]}}"#,
+    r#"{"table": {"file": "mu.csv", "interpolation": "constant", "length": 2.6}}"#,
+    r#"{"table": {"file": "mu.csv", "interpolation": "linear"}}"#,
+    r#"{"reversed": {"medium": {"segment": {"from": 0.2, "to": 2.5, "medium":
+        {"table": {"file": "mu.csv", "interpolation": "linear", "length": 2.9}}}}}}"#,
     r#"{"scaled": {"by": 0.02, "medium": {"linear": {"mu0": 0.5, "mu1": 2.0, "length": 3.0}}}}"#,
     r#"{"reversed": {"medium":
         {"piecewise_constant": {"edges": [0, 0.3, 1.1, 1.7, 2.6], "values": [2.5, 0.2, 6.0, 0.9]}}}}"#,
@@ -62,6 +67,16 @@ pub(crate) const BAD: &[(&str, &str)] = &[
         r#"{"piecewise_linear": {"nodes": [0, 2], "values": [1]}}"#,
         "values must be as many as the nodes, not 1 of them",
     ),
+    (
+        r#"{"piecewise_linear": {"nodes": [0, 1, 1, 1, 2], "values": [1, 1, 1, 1, 1]}}"#,
+        "nodes must be finite and increasing from 0, or the same in two inside the ray, a jump, not 1",
+    ),
+    (r#"{"table": {"file": "mu.csv"}}"#, "missing field `interpolation`"),
+    (r#"{"table": {"file": "mu.csv", "interpolation": "cubic"}}"#, "unknown variant `cubic`, expected `constant`"),
+    (
+        r#"{"table": {"file": "mu.csv", "interpolation": "linear", "length": 0}}"#,
+        "length must be finite and positive",
+    ),
     (r#"{"chromatic": {"sigma_t": [1], "sigma_s": [2], "length": 3}}"#, "sigma_s must be at most"),
     (r#"{"scaled": {"by": -1, "medium": {"constant": {"mu": 1, "length": 3}}}}"#, "by must be"),
     (r#"{"scaled": {"by": 1, "medium": {"constant": {"mu": -1, "length": 3}}}}"#, "mu must be"),
@@ -79,6 +94,11 @@ struct Nothing;
 impl Surroundings for Nothing {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         Err(ParameterError::new("file", wanted.file, "absent"))
+    }
+    /// Rows of any file; where two may have the same t, some do.
+    fn nodes(&self, wanted: &NodesRequest) -> Result<Nodes, ParameterError> {
+        let t = if wanted.jumps { vec![0.0, 0.6, 1.4, 1.4, 2.3] } else { vec![0.0, 0.6, 1.4, 1.9, 2.3] };
+        Ok(Nodes { t, mu: vec![0.9, 2.2, 0.0, 3.1, 0.7] })
     }
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
         None

@@ -78,9 +78,3 @@ fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
 fn without_folder(file: &str) -> String {
     file.rsplit(['/', '\\']).next().unwrap_or(file).into()
 }
-
-/// FNV-1a (Fowler, Noll and Vo), 64 bits.
-#[must_use]
-pub fn hash(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}

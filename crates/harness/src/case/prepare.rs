@@ -1,10 +1,10 @@
 //! From a case to subjects ready to run: media are built, majorants checked, parameters refused at their place.
 
-use super::name::hash;
 use super::surroundings::{Place, Volumes};
 use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, Subject};
 use crate::agree::Variant;
 use crate::fault::Fault;
+use crate::hash::hash;
 use crate::subject::{DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;

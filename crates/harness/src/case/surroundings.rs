@@ -1,6 +1,6 @@
 use super::{CaseError, Commands, Ray};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{Raw, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{Nodes, NodesRequest, Raw, Surroundings, Volume, VolumeRequest};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -18,8 +18,11 @@ pub(super) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
     std::fs::read_to_string(path).map_err(|why| CaseError::unreadable(path, why))
 }
 
+/// What of which file: the file, the channel, the layout, the grid and the voxels.
+type Key = (PathBuf, usize, Option<Raw>, Option<String>, Option<[[i32; 3]; 2]>);
+
 /// The volumes read so far: a file is read once for all its rays and cases.
-pub(super) type Volumes = Mutex<HashMap<(PathBuf, usize, Option<Raw>), Arc<Volume>>>;
+pub(super) type Volumes = Mutex<HashMap<Key, Arc<Volume>>>;
 
 /// The folder of a case file, and one of its rays.
 pub(super) struct Place<'a> {
@@ -56,7 +59,8 @@ impl Place<'_> {
 impl Surroundings for Place<'_> {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         let path = self.resolve(wanted.file)?;
-        let key = (path.clone(), wanted.channel, wanted.raw.copied());
+        let grid = wanted.grid.map(str::to_string);
+        let key = (path.clone(), wanted.channel, wanted.raw.copied(), grid, wanted.voxels.copied());
         let mut volumes = self.volumes.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(volume) = volumes.get(&key) {
             return Ok(volume.clone());
@@ -66,6 +70,11 @@ impl Surroundings for Place<'_> {
         let volume = Arc::new(volume);
         volumes.insert(key, volume.clone());
         Ok(volume)
+    }
+
+    fn nodes(&self, wanted: &NodesRequest) -> Result<Nodes, ParameterError> {
+        let path = self.resolve(wanted.file)?;
+        crate::source::read_nodes(&path, wanted).map_err(|why| ParameterError::unusable("file", why))
     }
 
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {

@@ -1,5 +1,5 @@
 use super::{BlockPlace, Layer, Plant, Target};
-use crate::subject::Scene;
+use crate::scene::Scene;
 use freepath_estimators::parameter::not_negative;
 use freepath_estimators::{Draws, ParameterError};
 
@@ -28,7 +28,7 @@ impl Plant for AbsorbedTwice {
         target.is_a("transmittance")
     }
     fn spoil(&self, at: &BlockPlace, draws: &mut Draws) {
-        if let Scene::Grey { truth, .. } = at.subject.scene {
+        if let Scene::Grey { truth, .. } = at.scene {
             let factor = libm::exp(-self.mu_a * truth.length());
             draws.weight.iter_mut().for_each(|weight| *weight *= factor);
         }

@@ -1,4 +1,4 @@
-use crate::subject::{Scene, Subject, Work};
+use crate::scene::{Scene, Work};
 use freepath_estimators::ChromaticSampler;
 use freepath_estimators::Key;
 use freepath_estimators::medium::ChromaticMedium;
@@ -11,7 +11,9 @@ pub struct BlockPlace<'a> {
     /// Number of the block's first draw.
     pub first: u64,
     /// Whose draws they are.
-    pub subject: &'a Subject<'a>,
+    pub work: Work<'a>,
+    /// In which medium.
+    pub scene: Scene<'a>,
 }
 
 /// A lane that no subject reads.
@@ -25,7 +27,7 @@ impl<'a> BlockPlace<'a> {
 
     /// The chromatic sampler and its channels.
     pub(super) fn chromatic(&self) -> Option<(&'a dyn ChromaticSampler, &'a ChromaticMedium)> {
-        match (self.subject.work, self.subject.scene) {
+        match (self.work, self.scene) {
             (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Some((sampler, medium)),
             _ => None,
         }

@@ -79,8 +79,9 @@ fn depth(medium: &dyn Medium) -> Option<String> {
 /// tau(tau^-1(x)) = x, and infinity beyond the end.
 fn inverse(medium: &dyn Medium) -> Option<String> {
     let total = medium.tau(medium.length());
+    let parts = if total > 0.0 { PARTS } else { 0 }; // an empty medium reaches no depth
     let slack = ROUNDING * total + 2.0 * medium.tau_error();
-    let wrong = (0..PARTS).map(|i| total * (i as f64 + 0.5) / PARTS as f64).find_map(|depth| {
+    let wrong = (0..parts).map(|i| total * (i as f64 + 0.5) / PARTS as f64).find_map(|depth| {
         let t = medium.inverse_tau(depth);
         let back = if t >= 0.0 && t <= medium.length() { medium.tau(t) } else { f64::NAN };
         (!((back - depth).abs() <= slack)).then(|| format!("tau reaches {depth:e} at {t}, where it is {back:e}"))

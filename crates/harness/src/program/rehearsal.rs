@@ -1,6 +1,7 @@
 //! Three short starts: one seed twice, another once.
 
 use super::{Program, request};
+use crate::blocks::REHEARSAL;
 use crate::evidence::Fact;
 use crate::identities::reproducible::{CHANCE, CHECK, STREAMS, chance};
 use crate::samples::Wanted;
@@ -10,13 +11,10 @@ use crate::verdict::Reason;
 /// Draws of a short start.
 const ROWS: usize = 256;
 
-/// Short starts are numbered from here, beyond every block.
-const FIRST_BLOCK: u64 = 1 << 47;
-
 impl Program {
     /// What the short starts tell.
     pub(super) fn rehearsed(&self, wanted: &Wanted) -> Result<Vec<Fact>, Refusal> {
-        let seed = |i| request::seed(wanted, FIRST_BLOCK + i);
+        let seed = |i| request::seed(wanted, REHEARSAL + i);
         let one = self.short(seed(0), wanted)?;
         let (again, other) = (self.short(seed(0), wanted)?, self.short(seed(1), wanted)?);
         if one != again {

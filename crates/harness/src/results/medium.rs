@@ -24,7 +24,7 @@ pub struct MediumResult {
     pub series: Vec<MediumSeries>,
 }
 
-/// mu, its majorant and T along the ray.
+/// mu, its majorant, tau and T along the ray.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct MediumSeries {
     /// Where.
@@ -33,6 +33,9 @@ pub struct MediumSeries {
     pub mu: Vec<Real>,
     /// Its bound.
     pub majorant: Vec<Real>,
+    /// Optical depth; none in results of before it was kept.
+    #[serde(default)]
+    pub tau: Vec<Real>,
     /// exp(-tau(t)).
     pub transmittance: Vec<Real>,
 }

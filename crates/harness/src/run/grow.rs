@@ -8,6 +8,7 @@
 //! between its bets and its interval.
 
 use super::Cancelled;
+use crate::blocks::{GROWTH, GROWTH_OF_STAGE_TWO};
 use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::evidence::{Evidence, Fact};
 use crate::judge::{Judged, judge};
@@ -20,17 +21,6 @@ use crate::verdict::Reason;
 mod question;
 
 use question::{Look, Question};
-
-/// Blocks of growth are numbered from here, beyond those of both stages.
-const FIRST_BLOCK: u64 = 1 << 40;
-/// Those of growth in stage 2.
-const FIRST_BLOCK_OF_STAGE_TWO: u64 = 1 << 41;
-
-/// The stage of a range of blocks, by the first of them.
-pub(crate) fn stage_of(first: u64) -> u32 {
-    let grown = (FIRST_BLOCK..FIRST_BLOCK_OF_STAGE_TWO).contains(&first);
-    if first == 0 || grown { 1 } else { 2 }
-}
 
 /// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
 const REJECTED: f64 = 1e-8;
@@ -55,7 +45,7 @@ impl Growth<'_> {
         judged: &mut Judged,
     ) -> Result<Option<Grown>, Cancelled> {
         let Some(mut question) = Question::of(subject, plan) else { return Ok(None) };
-        let (mut seen, mut at) = (first.clone(), FIRST_BLOCK);
+        let (mut seen, mut at) = (first.clone(), GROWTH);
         loop {
             let look = question.look(plan, &seen);
             let outcome = match () {
@@ -86,7 +76,7 @@ impl Growth<'_> {
         most: u64,
         judged: &mut Judged,
     ) -> Result<u64, Cancelled> {
-        let (mut seen, mut at) = (second, FIRST_BLOCK_OF_STAGE_TWO);
+        let (mut seen, mut at) = (second, GROWTH_OF_STAGE_TWO);
         let Some(mut question) = Question::of(subject, plan) else { return Ok(seen.draws) };
         loop {
             let look = question.look(plan, &seen);

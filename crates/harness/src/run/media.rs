@@ -50,6 +50,7 @@ fn series(medium: &dyn Medium) -> MediumSeries {
     MediumSeries {
         mu: real(&|t| medium.mu(t)),
         majorant: real(&|t| medium.majorants().mu_bar_at(t)),
+        tau: real(&|t| medium.tau(t)),
         transmittance: real(&|t| libm::exp(-medium.tau(t))),
         t: t.iter().copied().map(Real).collect(),
     }

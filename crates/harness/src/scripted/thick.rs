@@ -1,7 +1,8 @@
 //! In a medium so thick that a double cannot tell T from 0 nobody escapes, whatever the uniform: an escape there is an
 //! infinity where a finite value is due, such as -ln(0) for a step.
 
-use super::{FIRST_BLOCK, Findings, Scripted};
+use super::{Findings, Scripted};
+use crate::blocks::SCRIPTS;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_from};
 use crate::subject::{Scene, Subject, Work};
@@ -57,7 +58,7 @@ fn chromatic(subject: &Subject, medium: &ChromaticMedium, seed: u64) -> Option<F
 
 fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
     let thick = Subject { scene, ..subject.clone() };
-    let key = |i: u64| Key { seed, subject: subject.key, block: FIRST_BLOCK + 1000 + i };
+    let key = |i: u64| Key { seed, subject: subject.key, block: SCRIPTS + 1000 + i };
     let (mut own, mut draws) = (columns(subject, ROWS), columns(&thick, ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;

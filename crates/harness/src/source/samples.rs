@@ -12,12 +12,12 @@ use std::sync::{Mutex, PoisonError};
 use table::Table;
 
 mod binary;
-mod inspect;
+pub(super) mod inspect;
 pub(crate) mod meaning;
 pub(crate) mod table;
 #[cfg(test)]
 mod tests;
-mod text;
+pub(super) mod text;
 
 /// The tolerance that single precision implies: one rounding, relative.
 pub const SINGLE_TOLERANCE: f64 = 6e-8;

@@ -5,7 +5,7 @@ use freepath_estimators::medium::Volume;
 use std::io::{BufReader, Read};
 
 /// The most values of a volume, all channels together.
-const MOST_VALUES: u64 = 100_000_000;
+pub(super) const MOST_VALUES: u64 = 100_000_000;
 /// How many values are read at a time.
 const PART: usize = 8192;
 
@@ -43,13 +43,13 @@ impl Stored {
         }
         let values = self.values(&mut BufReader::new(file), shape, channel)?;
         match values.iter().position(|v| !v.is_finite()) {
-            None => Ok(Volume { shape, values }),
+            None => Ok(Volume { shape, values, bounds: None }),
             Some(i) => Err(not_finite(shape, i)),
         }
     }
 
     /// nx, ny, nz, if the values fill the rest of the file.
-    fn checked(&self, size: u64) -> Result<[usize; 3], Refusal> {
+    pub(super) fn checked(&self, size: u64) -> Result<[usize; 3], Refusal> {
         let [nx, ny, nz] = self.shape;
         if [nx, ny, nz, self.channels].contains(&0) {
             return Err(Refusal::new("its array is empty", "at least 1 voxel"));
@@ -68,7 +68,12 @@ impl Stored {
     }
 
     /// The values of a channel in the order of a volume, x fastest.
-    fn values(&self, file: &mut dyn Read, shape: [usize; 3], channel: usize) -> Result<Vec<f64>, Refusal> {
+    pub(super) fn values(
+        &self,
+        file: &mut dyn Read,
+        shape: [usize; 3],
+        channel: usize,
+    ) -> Result<Vec<f64>, Refusal> {
         let voxels: usize = shape.iter().product();
         let all = voxels * self.channels as usize;
         let (mut values, mut bytes, mut done) = (vec![0.0; voxels], vec![0; PART * self.width], 0);
@@ -112,7 +117,7 @@ impl Stored {
     }
 }
 
-fn not_finite([nx, ny, _]: [usize; 3], i: usize) -> Refusal {
+pub(super) fn not_finite([nx, ny, _]: [usize; 3], i: usize) -> Refusal {
     let index = [i / (nx * ny), i / nx % ny, i % nx];
     let cause = format!("the value at [z][y][x] = {index:?} is NaN or infinite");
     Refusal::new(cause, "every value must be finite")

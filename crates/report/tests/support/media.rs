@@ -85,6 +85,7 @@ impl Medium {
                     t: reals(&self.t),
                     mu: reals(&c.mu),
                     majorant: reals(&c.majorant),
+                    tau: reals(&c.tau),
                     transmittance: c.tau.iter().map(|&tau| Real(libm::exp(-tau))).collect(),
                 })
                 .collect(),

@@ -216,7 +216,7 @@ fn columns(names: &[String], across: usize, request: &Request) -> Result<(Vec<us
 }
 
 /// The column of this name, or of this number from 0.
-fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal> {
+pub(in crate::source) fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal> {
     let named = names.iter().position(|other| other == name);
     let numbered = || name.parse().ok().filter(|&number| number < across);
     named.or_else(numbered).ok_or_else(|| {

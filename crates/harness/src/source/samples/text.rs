@@ -11,7 +11,7 @@ const MOST_BYTES: usize = 65_536;
 const MOST_COLUMNS: usize = 4096;
 
 /// The rows of `input`.
-pub(super) struct Text {
+pub(in crate::source) struct Text {
     input: BufReader<Box<dyn Read + Send>>,
     csv: Reader,
     /// Columns are separated by any number of blanks.
@@ -81,7 +81,7 @@ impl Read for Spaced {
 impl Text {
     /// Reads the first row. `choose` picks columns from the names that stand there, if it is not numbers, and how many
     /// there are; it also says which of them tells an event.
-    pub(super) fn new(
+    pub(in crate::source) fn new(
         input: Box<dyn Read + Send>,
         format: Format,
         choose: impl FnOnce(&[String], usize) -> Result<(Vec<usize>, Option<usize>), Refusal>,
@@ -97,7 +97,7 @@ impl Text {
         let (wanted, event) = (Vec::new(), None);
         let mut text = Self { input, csv: csv.build(), blanks, row, pending: false, across: 0, wanted, event };
         if !text.next()? {
-            return Err(Refusal::new("it is empty", "at least 1 draw"));
+            return Err(Refusal::new("it is empty", "at least 1 row"));
         }
         let named = text.row.fields().all(|field| number(field).is_none());
         let name = |field: &[u8]| String::from_utf8_lossy(field).into_owned();
@@ -146,6 +146,11 @@ impl Text {
                 }
             }
         }
+    }
+
+    /// The line at which the row that was read last stands, from 1.
+    pub(in crate::source) fn line(&self) -> u64 {
+        self.row.line
     }
 
     fn value(&self, k: usize) -> Result<f64, Refusal> {
