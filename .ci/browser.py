@@ -21,6 +21,9 @@ FLAGS = [
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
 ]
 
+# The largest page that is still mailed and opened without a thought.
+MOST_BYTES = 8_000_000
+
 # Everything below runs in the page. A text is a box of a text node's line; boxes are shrunk a little, since fonts
 # reserve more height than letters use.
 LAYOUT = r"""
@@ -136,7 +139,7 @@ return window.foreign === true;
 """
 
 POINTER = """
-const drawing = [...document.querySelectorAll('.drawing')].find((d) => d.querySelector('polyline')), box = drawing.querySelector('svg').getBoundingClientRect();
+const drawing = [...document.querySelectorAll('.drawing')].find((d) => d.querySelector('path.l')), box = drawing.querySelector('svg').getBoundingClientRect();
 const at = {clientX: box.left + 0.5 * box.width, clientY: box.top + 0.5 * box.height, bubbles: true};
 drawing.dispatchEvent(new PointerEvent('pointermove', at));
 return drawing.querySelector('output').textContent;
@@ -305,7 +308,9 @@ def main():
         print("usage: browser.py PAGE (an HTML file)", file=sys.stderr)
         return 2
     url = pathlib.Path(sys.argv[1]).resolve().as_uri()
-    checks, browser = Checks(), Browser()
+    checks, size = Checks(), pathlib.Path(sys.argv[1]).stat().st_size
+    checks.that(size <= MOST_BYTES, f"the page has {size / 1e6:.1f} MB, at most {MOST_BYTES / 1e6:.0f}")
+    browser = Browser()
     try:
         browser.start()
         browser.send("POST", "/url", {"url": "about:blank"})

@@ -12,10 +12,13 @@
   addEventListener("beforeprint", () => all("details").forEach((d) => { d.open = true; }));
 
   // Copy a command.
-  all(".copy").forEach((button) => {
-    button.hidden = false;
+  all(".repro code").forEach((code) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "Copy";
+    code.after(button);
     button.addEventListener("click", () => {
-      const code = button.parentElement.querySelector("code");
       const done = () => { button.textContent = "Copied"; setTimeout(() => { button.textContent = "Copy"; }, 1500); };
       const select = () => getSelection().selectAllChildren(code);
       if (navigator.clipboard) navigator.clipboard.writeText(code.textContent).then(done, select);
@@ -74,30 +77,54 @@
 
   // Values under the pointer, or under the arrow keys.
   const SPACE = "http://www.w3.org/2000/svg";
+  const axis = ([label, log, lo, hi, from, to]) => ({ label, log, lo, hi, from, to });
+  const panels = (plot) => plot.panels.map(([x, y]) => ({ x: axis(x), y: axis(y) }));
   const value = (axis, at) => {
     const share = (at - axis.from) / (axis.to - axis.from);
     return axis.log ? axis.lo * (axis.hi / axis.lo) ** share : axis.lo + share * (axis.hi - axis.lo);
   };
   const digits = (x) => Number(x.toPrecision(4)).toString();
-  const corners = (line) => line.getAttribute("points").trim().split(" ").map((p) => p.split(",").map(Number));
-  const nearest = (svg, panel, colour, x) => {
+  // The lines of a path, of the few commands that the report writes: m dx dy, l dx dy, h dx, v dy.
+  const lines = (path) => {
+    const found = [];
+    let x = 0, y = 0, command = "", line = [], size = 2, numbers = [];
+    for (const token of path.getAttribute("d").match(/[mlhv]|-?\d+/g)) {
+      if (/[mlhv]/.test(token)) { command = token; size = "hv".includes(token) ? 1 : 2; numbers = []; continue; }
+      numbers.push(Number(token));
+      if (numbers.length < size) continue;
+      const [a, b] = numbers;
+      numbers = [];
+      if (command === "m") { line = []; found.push(line); }
+      if (command !== "v") x += a;
+      if (command !== "h") y += command === "v" ? a : b;
+      line.push([x, y]);
+    }
+    return found;
+  };
+  // How high a line of this colour is at x, inside the panel: the first that gets there.
+  const height = (svg, panel, colour, x) => {
     const inside = ([px, py]) => px >= panel.x.from - 1 && px <= panel.x.to + 1 && py >= panel.y.to - 1 && py <= panel.y.from + 1;
-    const lines = all("polyline", svg).filter((l) => l.getAttribute("stroke") === colour).map(corners);
-    const points = lines.flat().filter(inside);
-    return points.reduce((best, p) => (!best || Math.abs(p[0] - x) < Math.abs(best[0] - x) ? p : best), null);
+    for (const line of all(`path.l.${colour}`, svg).flatMap(lines)) {
+      for (let i = 1; i < line.length; i += 1) {
+        const [a, b] = [line[i - 1], line[i]];
+        if (!inside(a) || !inside(b) || (a[0] - x) * (b[0] - x) > 0) continue;
+        return a[0] === b[0] ? b[1] : a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+      }
+    }
+    return null;
   };
   const read = (svg, output, at) => {
     const plot = JSON.parse(svg.dataset.plot);
-    const panel = plot.panels.find((p) => at.x >= p.x.from && at.x <= p.x.to && at.y >= p.y.to && at.y <= p.y.from);
+    const panel = panels(plot).find((p) => at.x >= p.x.from && at.x <= p.x.to && at.y >= p.y.to && at.y <= p.y.from);
     svg.querySelector(".hair")?.remove();
     output.textContent = "";
     if (!panel) return;
-    const parts = [`${panel.x.label.split(",")[0] || "t"}: ${digits(value(panel.x, at.x))}`];
+    const parts = [`${panel.x.label || "t"}: ${digits(value(panel.x, at.x))}`];
     for (const [colour, name] of plot.names) {
-      const point = nearest(svg, panel, colour, at.x);
-      if (point) parts.push(`${name}: ${digits(value(panel.y, point[1]))}`);
+      const y = height(svg, panel, colour, at.x);
+      if (y !== null) parts.push(`${name}: ${digits(value(panel.y, y))}`);
     }
-    if (parts.length === 1) parts.push(`${panel.y.label.split(",")[0]}: ${digits(value(panel.y, at.y))}`);
+    if (parts.length === 1) parts.push(`${panel.y.label}: ${digits(value(panel.y, at.y))}`);
     output.textContent = parts.join("   ·   ");
     const hair = document.createElementNS(SPACE, "line");
     hair.setAttribute("class", "hair");
@@ -106,7 +133,9 @@
   };
   all(".drawing").forEach((drawing) => {
     const svg = drawing.querySelector("svg");
-    const output = drawing.querySelector("output");
+    const output = document.createElement("output");
+    drawing.append(output);
+    drawing.tabIndex = 0;
     let at = null;
     drawing.addEventListener("pointermove", (event) => {
       const map = svg.getScreenCTM();
@@ -117,7 +146,7 @@
     drawing.addEventListener("pointerleave", () => { svg.querySelector(".hair")?.remove(); output.textContent = ""; });
     drawing.addEventListener("keydown", (event) => {
       const step = { ArrowLeft: -24, ArrowRight: 24 }[event.key];
-      const panel = JSON.parse(svg.dataset.plot).panels[0];
+      const panel = panels(JSON.parse(svg.dataset.plot))[0];
       if (!step || !panel) return;
       event.preventDefault();
       at ??= { x: 0.5 * (panel.x.from + panel.x.to), y: 0.5 * (panel.y.from + panel.y.to) };

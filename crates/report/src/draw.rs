@@ -1,4 +1,4 @@
-//! Pictures: plots as plain shapes first, painted by plotters afterwards, so that PNG and SVG cannot differ.
+//! Pictures: plots as plain shapes first, painted as PNG or written as SVG afterwards, so that the two show the same.
 //!
 //! Lengths are in pixels of a screen of ordinary density. The origin is the upper left corner.
 
@@ -7,8 +7,11 @@ mod font;
 mod frame;
 mod ink;
 mod legend;
+mod look;
 mod paint;
 mod path;
+mod pen;
+mod readout;
 mod svg;
 
 pub(crate) use axis::Axis;
@@ -53,6 +56,20 @@ pub(crate) enum Mark {
     Diamond,
     Up,
     Down,
+}
+
+impl Mark {
+    /// The corners of a marker of radius `r`, always the same way around; none of a circle.
+    pub(crate) fn corners(self, (x, y): Point, r: f64) -> Option<Vec<Point>> {
+        let corners: &[Point] = match self {
+            Self::Circle => return None,
+            Self::Square => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
+            Self::Diamond => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
+            Self::Up => &[(0.0, -1.2), (1.15, 0.85), (-1.15, 0.85)],
+            Self::Down => &[(0.0, 1.2), (-1.15, -0.85), (1.15, -0.85)],
+        };
+        Some(corners.iter().map(|(a, b)| (x + a * r, y + b * r)).collect())
+    }
 }
 
 /// Marker shapes in the order of [`SERIES`].
@@ -149,6 +166,12 @@ impl Picture {
 
     pub(crate) fn text(&mut self, at: Point, text: impl Into<String>, size: f64, ink: Ink, align: Align) {
         self.shapes.push(Shape::Text { at, text: text.into(), size, ink, align });
+    }
+
+    /// All shapes, texts last, so that none is hidden.
+    pub(crate) fn layers(&self) -> impl Iterator<Item = &Shape> {
+        let text = |shape: &&Shape| matches!(shape, Shape::Text { .. });
+        self.shapes.iter().filter(move |shape| !text(shape)).chain(self.shapes.iter().filter(text))
     }
 
     /// A sentence in place of data that cannot be drawn.

@@ -16,6 +16,7 @@ mod draw;
 mod error;
 mod figures;
 mod fit;
+mod json;
 mod number;
 mod page;
 mod plot;
@@ -26,7 +27,7 @@ mod text;
 pub use beside::Beside;
 pub use digest::run_id;
 pub use error::ReportError;
-pub use save::json;
+pub use json::json;
 
 use freepath_harness::results::{MediumResult, Results, Timings};
 use std::path::Path;

@@ -21,6 +21,7 @@ use crate::{Options, ReportError};
 use askama::Template;
 use case::CaseView;
 use controls::ControlRow;
+use figure::Reading;
 use level::LevelView;
 use matrix::Matrix;
 use power::PowerView;
@@ -47,6 +48,7 @@ struct Page {
     power: Option<PowerView>,
     rows: Vec<Row>,
     cases: Vec<CaseView>,
+    readings: Vec<Reading>,
     /// Which files lie beside the page.
     png: bool,
     svg: bool,
@@ -55,7 +57,8 @@ struct Page {
 /// The whole page as HTML.
 pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options) -> Result<String, ReportError> {
     let rows: Vec<Row> = site.subjects.iter().map(|s| Row::new(site, s)).collect();
-    let cases = (0..site.cases.len()).into_par_iter().map(|i| CaseView::new(site, figures, i));
+    let readings = Reading::all(site, figures);
+    let cases = (0..site.cases.len()).into_par_iter().map(|i| CaseView::new(site, figures, &readings, i));
     let page = Page {
         policy: policy(),
         font: base64(FONT),
@@ -66,10 +69,11 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options)
         attention: rows.iter().filter(|row| row.surprising).cloned().collect(),
         matrix: Matrix::new(site),
         controls: controls::rows(site),
-        level: LevelView::new(site, figures)?,
-        power: PowerView::new(site, figures)?,
+        level: LevelView::new(site, figures),
+        power: PowerView::new(site, figures),
         rows,
-        cases: cases.collect::<Result<_, _>>()?,
+        cases: cases.collect(),
+        readings,
         png: options.png,
         svg: options.svg,
     };

@@ -3,19 +3,9 @@
 use crate::draw::{png, standalone};
 use crate::figures::{Drawn, Figures};
 use crate::{Options, ReportError};
-use freepath_harness::results::Results;
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// The text of results.json.
-///
-/// # Errors
-/// If a value has no form in JSON.
-pub fn json(results: &Results) -> Result<String, ReportError> {
-    let text = serde_json::to_string_pretty(results).map_err(|e| ReportError::Page(e.to_string()))?;
-    Ok(text + "\n")
-}
 
 /// Writes every plot as PNG and SVG, as far as `options` want them.
 pub(crate) fn plots(figures: &Figures, options: &Options, folder: &Path) -> Result<(), ReportError> {
@@ -33,7 +23,7 @@ pub(crate) fn plot(drawn: &Drawn, options: &Options, folder: &Path) -> Result<()
     }
     if options.svg {
         let path = folder.join(format!("{}.svg", drawn.file));
-        atomically(&path, standalone(&drawn.figure.picture)?.as_bytes())?;
+        atomically(&path, standalone(&drawn.figure.picture).as_bytes())?;
     }
     Ok(())
 }

@@ -59,7 +59,7 @@ fn the_page_says_what_was_found() {
         "1×10⁻⁶".into(),
         "20261122".into(),
         "freepath run cases --seed 20261122".into(),
-        "Controls: planted faults, each must be caught".into(),
+        "Controls: planted faults, which must be caught".into(),
         "Order of midpoint ray marching".into(),
         "predicted 2".into(),
         timings.run.clone(),

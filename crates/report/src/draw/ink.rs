@@ -20,20 +20,6 @@ pub(crate) enum Ink {
 pub(crate) const SERIES: [Ink; 6] = [Ink::Blue, Ink::Vermillion, Ink::Green, Ink::Purple, Ink::Orange, Ink::Sky];
 
 impl Ink {
-    pub(crate) const ALL: [Self; 11] = [
-        Self::Text,
-        Self::Muted,
-        Self::Axis,
-        Self::Grid,
-        Self::Paper,
-        Self::Blue,
-        Self::Vermillion,
-        Self::Green,
-        Self::Purple,
-        Self::Orange,
-        Self::Sky,
-    ];
-
     /// The colour on paper.
     pub(crate) const fn rgb(self) -> (u8, u8, u8) {
         match self {
@@ -51,20 +37,26 @@ impl Ink {
         }
     }
 
-    /// The name of its variable in the style sheet.
-    pub(crate) const fn variable(self) -> &'static str {
+    /// The class by which the style sheet knows it.
+    pub(crate) const fn letter(self) -> char {
         match self {
-            Self::Text => "--text",
-            Self::Muted => "--muted",
-            Self::Axis => "--axis",
-            Self::Grid => "--grid",
-            Self::Paper => "--paper",
-            Self::Blue => "--blue",
-            Self::Vermillion => "--vermillion",
-            Self::Green => "--green",
-            Self::Purple => "--purple",
-            Self::Orange => "--orange",
-            Self::Sky => "--sky",
+            Self::Text => 't',
+            Self::Muted => 'n',
+            Self::Axis => 'a',
+            Self::Grid => 'g',
+            Self::Paper => 'p',
+            Self::Blue => 'b',
+            Self::Vermillion => 'v',
+            Self::Green => 'e',
+            Self::Purple => 'u',
+            Self::Orange => 'o',
+            Self::Sky => 's',
         }
+    }
+
+    /// The colour on paper, as in CSS.
+    pub(crate) fn literal(self) -> String {
+        let (r, g, b) = self.rgb();
+        format!("#{r:02X}{g:02X}{b:02X}")
     }
 }

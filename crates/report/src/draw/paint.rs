@@ -1,4 +1,4 @@
-//! The one place that speaks to plotters.
+//! The one place that speaks to plotters: PNG.
 
 use super::font::{PER_PIXEL, register};
 use super::path::{corners, dashes};
@@ -10,37 +10,16 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::path::Path;
 
 /// Pixels of a PNG for a pixel of a picture.
-const PNG_DENSITY: f64 = 2.0;
-/// Units of an SVG for a pixel of a picture: plotters rounds to whole ones.
-pub(crate) const SVG_DENSITY: f64 = 4.0;
-
+const DENSITY: f64 = 2.0;
 /// Writes `picture` as a PNG file; `path` must end in `.png`.
 pub(crate) fn png(picture: &Picture, path: &Path) -> Result<(), ReportError> {
-    paint(BitMapBackend::new(path, size(picture, PNG_DENSITY)), picture, PNG_DENSITY, true)
-}
-
-/// `picture` as plotters writes it in SVG, without a background.
-pub(crate) fn raw_svg(picture: &Picture) -> Result<String, ReportError> {
-    let mut text = String::new();
-    let backend = SVGBackend::with_string(&mut text, size(picture, SVG_DENSITY));
-    paint(backend, picture, SVG_DENSITY, false)?;
-    Ok(text)
-}
-
-fn size(picture: &Picture, density: f64) -> (u32, u32) {
-    ((picture.width * density) as u32, (picture.height * density) as u32)
-}
-
-fn paint<B: DrawingBackend>(backend: B, picture: &Picture, density: f64, fill: bool) -> Result<(), ReportError> {
     if !register() {
         return Err(ReportError::Draw("the built-in font is not readable".into()));
     }
-    let area = backend.into_drawing_area();
-    let painter = Painter { area, density, marks_dashes: !fill };
-    if fill {
-        painter.area.fill(&WHITE).map_err(failed)?;
-    }
-    for shape in &picture.shapes {
+    let size = ((picture.width * DENSITY) as u32, (picture.height * DENSITY) as u32);
+    let painter = Painter { area: BitMapBackend::new(path, size).into_drawing_area() };
+    painter.area.fill(&WHITE).map_err(failed)?;
+    for shape in picture.layers() {
         painter.shape(shape)?;
     }
     painter.area.present().map_err(failed)
@@ -52,9 +31,6 @@ fn failed(cause: impl std::fmt::Display) -> ReportError {
 
 struct Painter<B: DrawingBackend> {
     area: DrawingArea<B, Shift>,
-    density: f64,
-    /// Leave dashes to SVG, which sees them by an odd width: as pieces they would be most of a file.
-    marks_dashes: bool,
 }
 
 impl<B: DrawingBackend> Painter<B> {
@@ -70,30 +46,18 @@ impl<B: DrawingBackend> Painter<B> {
 
     fn at(&self, (x, y): Point) -> (i32, i32) {
         // Every point lies in the picture; what does not is held near it.
-        let whole = |v: f64| libm::round((v * self.density).clamp(-1e4, 1e5)) as i32;
+        let whole = |v: f64| libm::round((v * DENSITY).clamp(-1e4, 1e5)) as i32;
         (whole(x), whole(y))
     }
 
     fn line(&self, points: &[Point], stroke: Stroke) -> Result<(), ReportError> {
-        let width = self.width(stroke);
-        let style = color(stroke.ink).stroke_width(width);
-        let whole = !stroke.dashed || self.marks_dashes;
-        let pieces = if whole { vec![points.to_vec()] } else { dashes(points) };
+        let style = color(stroke.ink).stroke_width(libm::round(stroke.width * DENSITY) as u32);
+        let pieces = if stroke.dashed { dashes(points) } else { vec![points.to_vec()] };
         for piece in pieces {
             let path = corners(piece.into_iter().map(|p| self.at(p)));
             self.area.draw(&PathElement::new(path, style)).map_err(failed)?;
         }
         Ok(())
-    }
-
-    /// In whole pixels; where dashes are marked, odd widths are theirs alone.
-    fn width(&self, stroke: Stroke) -> u32 {
-        let pixels = stroke.width * self.density;
-        if self.marks_dashes {
-            2 * (libm::round(0.5 * pixels) as u32) + u32::from(stroke.dashed)
-        } else {
-            libm::round(pixels) as u32
-        }
     }
 
     fn polygon(&self, points: &[Point], ink: Ink, alpha: f64) -> Result<(), ReportError> {
@@ -112,18 +76,10 @@ impl<B: DrawingBackend> Painter<B> {
         if hollow { self.blob(at, mark, Ink::Paper, radius - 1.6) } else { Ok(()) }
     }
 
-    fn blob(&self, (x, y): Point, mark: Mark, ink: Ink, r: f64) -> Result<(), ReportError> {
-        let around = |corners: &[Point]| corners.iter().map(|(a, b)| (x + a * r, y + b * r)).collect::<Vec<_>>();
-        let corners = match mark {
-            Mark::Circle => {
-                let radius = (r * self.density) as i32;
-                let circle = Circle::new(self.at((x, y)), radius, color(ink).filled());
-                return self.area.draw(&circle).map_err(failed);
-            }
-            Mark::Square => around(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
-            Mark::Diamond => around(&[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)]),
-            Mark::Up => around(&[(0.0, -1.2), (1.15, 0.85), (-1.15, 0.85)]),
-            Mark::Down => around(&[(0.0, 1.2), (1.15, -0.85), (-1.15, -0.85)]),
+    fn blob(&self, at: Point, mark: Mark, ink: Ink, r: f64) -> Result<(), ReportError> {
+        let Some(corners) = mark.corners(at, r) else {
+            let circle = Circle::new(self.at(at), (r * DENSITY) as i32, color(ink).filled());
+            return self.area.draw(&circle).map_err(failed);
         };
         self.polygon(&corners, ink, 1.0)
     }
@@ -134,7 +90,7 @@ impl<B: DrawingBackend> Painter<B> {
             Align::Center => HPos::Center,
             Align::Right => HPos::Right,
         };
-        let (font, color) = (("sans-serif", size * PER_PIXEL * self.density).into_font(), color(ink));
+        let (font, color) = (("sans-serif", size * PER_PIXEL * DENSITY).into_font(), color(ink));
         let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
         self.area.draw(&Text::new(text, self.at(at), style)).map_err(failed)
     }

@@ -23,6 +23,31 @@ pub(super) fn corners(points: impl Iterator<Item = (i32, i32)>) -> Vec<(i32, i32
     path
 }
 
+/// A path without the points that change it by no more than `most` (Ramer 1972, Douglas and Peucker 1973).
+pub(super) fn simplified(path: &[(i32, i32)], most: f64) -> Vec<(i32, i32)> {
+    let mut kept = vec![false; path.len()];
+    let mut parts = vec![(0, path.len().saturating_sub(1))];
+    while let Some((from, to)) = parts.pop() {
+        let Some((first, last)) = path.get(from).zip(path.get(to)) else { continue };
+        (kept[from], kept[to]) = (true, true);
+        let off = |i: &usize| distance(path[*i], *first, *last);
+        let Some(worst) = (from + 1..to).max_by(|a, b| off(a).total_cmp(&off(b))) else { continue };
+        if off(&worst) > most {
+            parts.extend([(from, worst), (worst, to)]);
+        }
+    }
+    path.iter().zip(kept).filter(|(_, kept)| *kept).map(|(place, _)| *place).collect()
+}
+
+/// From `p` to the nearest point between `a` and `b`.
+fn distance(p: (i32, i32), a: (i32, i32), b: (i32, i32)) -> f64 {
+    let by = |p: (i32, i32)| (f64::from(p.0 - a.0), f64::from(p.1 - a.1));
+    let ((x, y), (dx, dy)) = (by(p), by(b));
+    let length = dx * dx + dy * dy;
+    let share = if length > 0.0 { ((x * dx + y * dy) / length).clamp(0.0, 1.0) } else { 0.0 };
+    libm::hypot(x - share * dx, y - share * dy)
+}
+
 const DASH: f64 = 8.0;
 const GAP: f64 = 5.0;
 
@@ -60,6 +85,21 @@ mod tests {
     fn only_corners_are_kept() {
         let path = [(0, 0), (1, 0), (1, 0), (5, 0), (5, 3), (5, 1)];
         assert_eq!(corners(path.into_iter()), [(0, 0), (5, 0), (5, 3), (5, 1)]);
+    }
+
+    #[test]
+    fn a_simplified_path_is_never_further_off_than_allowed() {
+        let path: Vec<_> = (0..500).map(|i| (i, (i * i * 7 + i * 13) % 23 + (i / 100) * 40)).collect();
+        for most in [1.0, 5.0, 12.0] {
+            let kept = simplified(&path, most);
+            assert!(kept.len() < path.len() && kept.first() == path.first() && kept.last() == path.last());
+            for p in &path {
+                assert!(kept.windows(2).any(|pair| distance(*p, pair[0], pair[1]) <= most + 1e-9), "{p:?} {most}");
+            }
+        }
+        assert_eq!(simplified(&[], 1.0), []);
+        assert_eq!(simplified(&[(3, 4)], 1.0), [(3, 4)]);
+        assert_eq!(simplified(&[(0, 0), (9, 0), (0, 0)], 1.0).len(), 3, "there and back");
     }
 
     #[test]

@@ -1,36 +1,24 @@
-//! What becomes of plotters' SVG: smaller, described to those who cannot see it, and in the page's colours.
+//! Pictures in SVG: small, described to those who cannot see them, and in the page's colours.
 
-use super::paint::{SVG_DENSITY, raw_svg};
-use super::{Axis, Frame, Ink, Picture};
-use crate::ReportError;
+use super::look::{Dress, Look};
+use super::path::{corners, simplified};
+use super::pen::{Pen, Place, UNITS, units};
+use super::{Ink, Mark, Picture, Point, Shape, readout};
 
 const STACK: &str = r#""DejaVu Sans", Verdana, sans-serif"#;
+/// The most that leaving out points may move a line, in units: a quarter of a pixel, or smooth curves show corners.
+const MOST_OFF: f64 = 1.0;
 
-/// What most shapes share, and the classes of the style sheet that say it.
-const SHARED: [(&str, &str); 3] = [
-    (r#"fill="none" stroke="var(--grid)" stroke-width="4""#, r#"class="g""#),
-    (r#"text-anchor="middle" font-size="46" fill="var(--muted)""#, r#"class="m""#),
-    (r#"text-anchor="end" font-size="46" fill="var(--muted)""#, r#"class="e""#),
-];
-
-/// For the page: colours are variables of the style sheet, the size is left to it, and scripts find the axes.
-pub(crate) fn inline(picture: &Picture) -> Result<String, ReportError> {
-    let mut body = body(picture)?;
-    for ink in Ink::ALL {
-        body = body.replace(&format!("\"{}\"", literal(ink)), &format!("\"var({})\"", ink.variable()));
-    }
-    for (long, short) in SHARED {
-        body = body.replace(long, short);
-    }
+/// For the page: looks are classes of the style sheet, the size is left to it, and scripts find the axes.
+pub(crate) fn inline(picture: &Picture) -> String {
     // In single quotes, which are escaped, double ones need not be.
-    let data = escape(&frames(picture).to_string()).replace("&quot;", "\"");
+    let data = escape(&readout::of(picture).to_string()).replace("&quot;", "\"");
     let open = format!(r#"<svg class="plot" viewBox="{}" role="img" data-plot='{data}'>"#, view_box(picture));
-    Ok(format!("{open}<title>{}</title>{body}</svg>", escape(&picture.title)))
+    format!("{open}<title>{}</title>{}</svg>", escape(&picture.title), body(picture, Dress::Page))
 }
 
 /// For a file of its own: colours as they are, on white.
-pub(crate) fn standalone(picture: &Picture) -> Result<String, ReportError> {
-    let style = format!("text{{font-family:{STACK}}}rect{{shape-rendering:crispEdges}}");
+pub(crate) fn standalone(picture: &Picture) -> String {
     let open = format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="{}" role="img" stroke-linejoin="round">"#,
         picture.width,
@@ -38,37 +26,108 @@ pub(crate) fn standalone(picture: &Picture) -> Result<String, ReportError> {
         view_box(picture)
     );
     let paper = r##"<rect width="100%" height="100%" fill="#FFFFFF"/>"##;
-    let title = escape(&picture.title);
-    Ok(format!("{open}<title>{title}</title><style>{style}</style>{paper}{}</svg>\n", body(picture)?))
+    let (title, body) = (escape(&picture.title), body(picture, Dress::File));
+    format!("{open}<title>{title}</title><style>text{{font-family:{STACK}}}</style>{paper}{body}</svg>\n")
 }
 
-/// The shapes alone, without what is the same for all of them.
-fn body(picture: &Picture) -> Result<String, ReportError> {
-    let raw = raw_svg(picture)?;
-    let inner = raw.split_once(">\n").map_or("", |(_, rest)| rest);
-    let inner = inner.trim_end().trim_end_matches("</svg>");
-    let dashed = (0..12).map(|i| 2 * i + 1).fold(inner.to_string(), |text, odd| {
-        let even = format!(r#"stroke-width="{}" stroke-dasharray="32 20""#, odd - 1);
-        text.replace(&format!(r#"stroke-width="{odd}""#), &even)
-    });
-    Ok(dashed
-        .replace("\n</text>\n", "</text>\n")
-        .replace(" opacity=\"1\"", "")
-        .replace(" stroke=\"none\"", "")
-        .replace(" font-family=\"sans-serif\"", "")
-        .replace(" text-anchor=\"start\"", "")
-        .replace(" \"/>\n", "\"/>")
-        .replace("/>\n", "/>")
-        .replace(">\n", ">"))
+/// What a shape is made of.
+enum Piece {
+    Open(Vec<Place>),
+    Closed(Vec<Place>),
+    Circle(Place, i32),
+    Text(Place, String),
 }
 
-fn literal(ink: Ink) -> String {
-    let (r, g, b) = ink.rgb();
-    format!("#{r:02X}{g:02X}{b:02X}")
+/// The shapes alone: neighbours that look the same are one path, texts that look the same one group.
+fn body(picture: &Picture, dress: Dress) -> String {
+    let mut parts: Vec<(Look, Pen)> = vec![];
+    for shape in picture.layers() {
+        let alone = matches!(shape, Shape::Area { .. });
+        for (look, piece) in pieces(shape) {
+            let near = if matches!(piece, Piece::Text(..)) { parts.len() } else { 1 };
+            match parts.iter().rev().take(near).position(|part| part.0 == look && !alone) {
+                Some(back) => {
+                    let last = parts.len() - 1;
+                    write(&mut parts[last - back].1, piece);
+                }
+                None => parts.push((look, written(piece))),
+            }
+        }
+    }
+    parts.into_iter().map(|(look, pen)| element(look, &pen.data(), dress)).collect()
+}
+
+fn element(look: Look, content: &str, dress: Dress) -> String {
+    let worn = look.in_dress(dress);
+    match look {
+        Look::Text { .. } => format!("<g{worn}>{content}</g>"),
+        _ => format!("<path{worn} d=\"{content}\"/>"),
+    }
+}
+
+fn written(piece: Piece) -> Pen {
+    let mut pen = Pen::default();
+    write(&mut pen, piece);
+    pen
+}
+
+fn write(pen: &mut Pen, piece: Piece) {
+    match piece {
+        Piece::Open(places) => pen.polyline(&places),
+        Piece::Closed(corners) => pen.polygon(&corners),
+        Piece::Circle(at, r) => pen.circle(at, r),
+        Piece::Text(at, text) => pen.text(at, &escape(&text)),
+    }
+}
+
+/// The pieces of a shape. An area stays alone: where shapes of one path overlap they do not add up, and may cut each other
+/// out.
+fn pieces(shape: &Shape) -> Vec<(Look, Piece)> {
+    let fill = |ink, alpha, crisp| Look::Fill { ink, alpha, crisp };
+    match shape {
+        Shape::Line { points, stroke } => vec![(Look::Line(*stroke), Piece::Open(outline(points)))],
+        Shape::Area { points, ink, alpha } => vec![(fill(*ink, *alpha, false), Piece::Closed(outline(points)))],
+        Shape::Rect { from, to, ink, alpha } => {
+            vec![(fill(*ink, *alpha, true), Piece::Closed(rectangle(*from, *to).into()))]
+        }
+        Shape::Mark { at, mark, ink, radius, hollow } => {
+            let filled = (fill(*ink, 1.0, false), blob(*at, *mark, *radius));
+            let hole = hollow.then(|| (fill(Ink::Paper, 1.0, false), blob(*at, *mark, radius - 1.6)));
+            [filled].into_iter().chain(hole).collect()
+        }
+        Shape::Text { text, .. } if text.is_empty() => vec![],
+        Shape::Text { at, text, size, ink, align } => {
+            // Half the height of a capital below the middle.
+            let base = (at.0, at.1 + 0.35 * size);
+            vec![(Look::Text { ink: *ink, size: *size, align: *align }, Piece::Text(place(base), text.clone()))]
+        }
+    }
+}
+
+fn place((x, y): Point) -> Place {
+    (units(x), units(y))
+}
+
+fn outline(points: &[Point]) -> Vec<Place> {
+    simplified(&corners(points.iter().map(|&p| place(p))), MOST_OFF)
+}
+
+/// At least one unit wide and high.
+fn rectangle(from: Point, to: Point) -> [Place; 4] {
+    let ((left, top), (right, bottom)) = (place(from), place(to));
+    let (right, bottom) = (right.max(left + 1), bottom.max(top + 1));
+    [(left, top), (right, top), (right, bottom), (left, bottom)]
+}
+
+fn blob(at: Point, mark: Mark, r: f64) -> Piece {
+    match mark.corners(at, r) {
+        Some(corners) => Piece::Closed(corners.into_iter().map(place).collect()),
+        None => Piece::Circle(place(at), units(r)),
+    }
 }
 
 fn view_box(picture: &Picture) -> String {
-    format!("0 0 {} {}", picture.width * SVG_DENSITY, picture.height * SVG_DENSITY)
+    format!("0 0 {} {}", picture.width * UNITS, picture.height * UNITS)
 }
 
 /// `text` where markup would otherwise be read.
@@ -85,24 +144,4 @@ pub(crate) fn escape(text: &str) -> String {
         }
     }
     out
-}
-
-/// What a script needs to tell the values under the pointer.
-fn frames(picture: &Picture) -> serde_json::Value {
-    let panels: Vec<_> = picture.frames.iter().map(frame).collect();
-    let names: Vec<_> =
-        picture.names.iter().map(|(ink, name)| (format!("var({})", ink.variable()), name)).collect();
-    serde_json::json!({ "panels": panels, "names": names })
-}
-
-fn frame(frame: &Frame) -> serde_json::Value {
-    let scaled = |v: f64| libm::round(v * SVG_DENSITY);
-    let axis = |axis: &Axis, from: f64, to: f64| {
-        let (from, to) = (scaled(from), scaled(to));
-        serde_json::json!({ "lo": axis.lo, "hi": axis.hi, "log": axis.log, "from": from, "to": to, "label": axis.label })
-    };
-    serde_json::json!({
-        "x": axis(&frame.x, frame.left, frame.right),
-        "y": axis(&frame.y, frame.bottom, frame.top),
-    })
 }

@@ -1,9 +1,8 @@
 //! One medium with its subjects.
 
-use super::figure::FigureView;
+use super::figure::{FigureView, Reading};
 use super::ranking::{self, RankingView};
 use super::subject::SubjectView;
-use crate::ReportError;
 use crate::figures::Figures;
 use crate::number::short;
 use crate::site::Site;
@@ -24,22 +23,22 @@ pub(crate) struct CaseView {
 }
 
 impl CaseView {
-    pub(crate) fn new(site: &Site, figures: &Figures, i: usize) -> Result<Self, ReportError> {
+    pub(crate) fn new(site: &Site, figures: &Figures, readings: &[Reading], i: usize) -> Self {
         let case = &site.cases[i];
         let none = vec![];
         let of = |member: usize| figures.subjects.get(member).unwrap_or(&none);
-        let subjects = case.members.iter().filter_map(|&m| Some(SubjectView::new(site.subjects.get(m)?, of(m))));
-        Ok(Self {
+        let view = |&m: &usize| Some(SubjectView::new(site.subjects.get(m)?, of(m), readings));
+        Self {
             id: case.id.clone(),
             number: i + 1,
             title: case.title.clone(),
             file: case.medium.map_or_else(String::new, |m| clean(&m.file, 200)),
             medium: case.medium.map_or_else(String::new, sentence),
             parameters: case.medium.map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
-            figures: FigureView::all(figures.cases.get(i).unwrap_or(&none))?,
+            figures: FigureView::all(figures.cases.get(i).unwrap_or(&none)),
             ranking: ranking::of(site, i),
-            subjects: subjects.collect::<Result<_, _>>()?,
-        })
+            subjects: case.members.iter().filter_map(view).collect(),
+        }
     }
 }
 

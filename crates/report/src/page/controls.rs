@@ -1,9 +1,11 @@
-//! Planted faults, each of which must be caught.
+//! Planted faults, and what became of them.
 
 use super::matrix::Letter;
 use super::table::evidence;
 use crate::site::Site;
 use crate::text::{clean, words};
+use freepath_harness::results::SubjectResult;
+use freepath_harness::verdict::Verdict;
 
 /// One planted fault and what became of it.
 pub(crate) struct ControlRow {
@@ -16,6 +18,16 @@ pub(crate) struct ControlRow {
     pub(crate) outcome: &'static str,
 }
 
+/// A fault that its setting hides, or that does no harm, must pass.
+fn outcome(result: &SubjectResult) -> &'static str {
+    match (result.as_expected, result.verdict, result.innocent) {
+        (false, ..) => "not as expected",
+        (true, Verdict::Pass, true) => "hidden, as it must be",
+        (true, Verdict::Pass, false) => "harmless, and passes",
+        (true, ..) => "caught",
+    }
+}
+
 pub(crate) fn rows(site: &Site) -> Vec<ControlRow> {
     let controls = site.subjects.iter().filter(|s| s.is_control());
     controls
@@ -26,7 +38,7 @@ pub(crate) fn rows(site: &Site) -> Vec<ControlRow> {
             case: site.cases[s.case].title.clone(),
             reasons: super::table::reasons(s.result),
             evidence: evidence(s.result),
-            outcome: if s.result.as_expected { "caught" } else { "not as expected" },
+            outcome: outcome(s.result),
         })
         .collect()
 }

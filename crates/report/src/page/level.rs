@@ -1,7 +1,6 @@
 //! p-values and false alarms, of the run and of a soak.
 
 use super::figure::FigureView;
-use crate::ReportError;
 use crate::figures::Figures;
 use crate::number::{count, short};
 use crate::site::Site;
@@ -47,7 +46,7 @@ pub(crate) struct TestRow {
 }
 
 impl LevelView {
-    pub(crate) fn new(site: &Site, figures: &Figures) -> Result<Self, ReportError> {
+    pub(crate) fn new(site: &Site, figures: &Figures) -> Self {
         let lead = format!(
             "By design at most one run in {} calls a right subject wrong: each of the two stages rejects one at most at a rate of {}, \
              and both must.",
@@ -55,7 +54,7 @@ impl LevelView {
             short(site.results.stage_alpha.0)
         );
         let soak = site.beside.soak.as_ref().map(SoakView::new);
-        Ok(Self { lead, figures: FigureView::all(&figures.level)?, soak })
+        Self { lead, figures: FigureView::all(&figures.level), soak }
     }
 }
 

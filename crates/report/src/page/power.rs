@@ -1,7 +1,6 @@
 //! What it takes to see each planted fault.
 
 use super::figure::FigureView;
-use crate::ReportError;
 use crate::figures::Figures;
 use crate::number::{count, probability, short};
 use crate::site::Site;
@@ -63,15 +62,15 @@ const KINDS: [Kind; 4] = [
 
 impl PowerView {
     /// The section, if there is anything to show.
-    pub(crate) fn new(site: &Site, figures: &Figures) -> Result<Option<Self>, ReportError> {
-        let Some(power) = &site.beside.power else { return Ok(None) };
+    pub(crate) fn new(site: &Site, figures: &Figures) -> Option<Self> {
+        let power = site.beside.power.as_ref()?;
         let parts = KINDS.iter().map(|kind| part(power, kind)).filter(|part| !part.rows.is_empty());
-        Ok(Some(Self {
+        Some(Self {
             lead: lead(power),
-            figures: FigureView::all(&figures.power)?,
+            figures: FigureView::all(&figures.power),
             parts: parts.collect(),
             repro: clean(&power.repro, 1000),
-        }))
+        })
     }
 }
 

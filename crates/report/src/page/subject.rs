@@ -1,9 +1,8 @@
 //! One subject with everything that was found of it.
 
-use super::figure::FigureView;
+use super::figure::{FigureView, Reading, is_quiet};
 use super::matrix::Letter;
 use super::words;
-use crate::ReportError;
 use crate::figures::Drawn;
 use crate::number::{count, probability, short};
 use crate::site::Subject;
@@ -21,6 +20,8 @@ const MOST_LINES: usize = 1000;
 
 /// The section of a subject.
 pub(crate) struct SubjectView {
+    /// Its plots stand side by side, and what they show is told once for all.
+    pub(crate) quiet: bool,
     pub(crate) letter: Letter,
     pub(crate) name: String,
     pub(crate) sentence: String,
@@ -69,10 +70,12 @@ pub(crate) struct TestRow {
 }
 
 impl SubjectView {
-    pub(crate) fn new(subject: &Subject, figures: &[Drawn]) -> Result<Self, ReportError> {
+    pub(crate) fn new(subject: &Subject, figures: &[Drawn], readings: &[Reading]) -> Self {
         let result = subject.result;
         let why = if result.expected_by_design { " (computed from its claims)" } else { "" };
-        Ok(Self {
+        let quiet = is_quiet(subject);
+        Self {
+            quiet,
             letter: Letter::new(subject),
             name: subject.name.clone(),
             sentence: words::verdict(result),
@@ -88,8 +91,8 @@ impl SubjectView {
             tests: result.tests.iter().take(MOST).map(test).collect(),
             repro: clean(&result.repro, 1000),
             log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
-            figures: FigureView::all(figures)?,
-        })
+            figures: FigureView::told(figures, if quiet { readings } else { &[] }),
+        }
     }
 }
 
@@ -155,6 +158,11 @@ fn draws(subject: &Subject) -> String {
     format!("{}{second} ({} asked for){left}", count(result.draws), count(result.draws_requested))
 }
 
+/// A test that was withheld has none.
+fn statistic(test: &TestResult) -> String {
+    if test.p.is_none() && test.statistic.0.is_nan() { "–".into() } else { short(test.statistic.0) }
+}
+
 fn test(test: &TestResult) -> TestRow {
     let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
     let chance = |p| shown(p, probability);
@@ -167,7 +175,7 @@ fn test(test: &TestResult) -> TestRow {
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
-        statistic: short(test.statistic.0),
+        statistic: statistic(test),
         dof: shown(test.dof, short),
         p: chance(test.p),
         adjusted: chance(test.p_adjusted),

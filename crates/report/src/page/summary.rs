@@ -3,6 +3,7 @@
 use crate::number::{count, seconds, short};
 use crate::site::Site;
 use crate::text::clean;
+use freepath_harness::results::SubjectResult;
 use freepath_harness::verdict::Verdict;
 
 /// The verdict of the run and its circumstances.
@@ -24,11 +25,11 @@ impl Summary {
     pub(crate) fn new(site: &Site, run: &str) -> Self {
         let all = &site.results.results;
         let surprises = all.iter().filter(|r| !r.as_expected).count();
-        let controls = all.iter().filter(|r| !r.faults.is_empty()).count();
+        let planted = |hidden: bool| all.iter().filter(|r| !r.faults.is_empty() && must_pass(r) == hidden).count();
         Self {
             good: surprises == 0 && !all.is_empty(),
             headline: headline(all.len(), surprises),
-            lead: lead(site, controls),
+            lead: lead(site, planted(false), planted(true)),
             counts: counts(site, surprises),
             facts: facts(site, run),
             repro: clean(&site.results.repro, 1000),
@@ -48,11 +49,21 @@ fn headline(all: usize, surprises: usize) -> String {
     }
 }
 
-fn lead(site: &Site, controls: usize) -> String {
-    let planted = match controls {
+/// The fault is harmless, or hidden by its setting.
+fn must_pass(result: &SubjectResult) -> bool {
+    result.expected.starts_with("pass")
+}
+
+fn lead(site: &Site, caught: usize, hidden: usize) -> String {
+    let mut planted = match caught {
         0 => String::new(),
         1 => " One subject carries a planted fault, which must be caught.".into(),
         n => format!(" {n} subjects carry planted faults, which must be caught."),
+    };
+    planted += &match hidden {
+        0 => String::new(),
+        1 => " One carries a fault that is harmless or hidden by its setting, and must pass.".into(),
+        n => format!(" {n} carry faults that are harmless or hidden by their setting, and must pass."),
     };
     format!(
         "Each free-path sampler and transmittance estimator was put to every claim that it makes, in {} media.{planted} \

@@ -88,13 +88,18 @@ pub(crate) fn evidence(result: &SubjectResult) -> String {
     match result.tests.iter().filter(|t| t.rejected).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
         Some(test) => {
             format!(
-                "{}: p = {}",
+                "{}: p {}",
                 clean(&words(&test.name), 60),
-                test.p.map_or("none".into(), |p| probability(p.0))
+                test.p.map_or("none".into(), |p| equal(probability(p.0)))
             )
         }
         None => result.notes.first().map_or_else(String::new, |note| clean(note, 120)),
     }
+}
+
+/// `= 0.1`, or `< 10⁻³⁰⁰` as it stands.
+fn equal(p: String) -> String {
+    if p.starts_with('<') { p } else { format!("= {p}") }
 }
 
 fn key(p: Option<freepath_harness::real::Real>) -> f64 {

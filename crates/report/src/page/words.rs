@@ -26,10 +26,10 @@ pub(crate) fn class(verdict: Verdict) -> &'static str {
 /// What was found, in one sentence.
 pub(crate) fn verdict(result: &SubjectResult) -> String {
     let draws = count(result.draws.saturating_add(result.draws_stage2));
-    let found = match result.verdict {
-        Verdict::Pass => format!("Passes: none of its claims was rejected in {draws} draws"),
-        Verdict::Fail => format!("Fails: a claim is contradicted in {draws} draws"),
-        Verdict::Inconclusive => format!("Inconclusive after {draws} draws: something could not be judged"),
+    let (verdict, found) = match result.verdict {
+        Verdict::Pass => ("Passes", format!("none of its claims was rejected in {draws} draws")),
+        Verdict::Fail => ("Fails", format!("a claim is contradicted in {draws} draws")),
+        Verdict::Inconclusive => ("Inconclusive", format!("something could not be judged in {draws} draws")),
     };
     let fit = match (result.as_expected, result.verdict) {
         (true, Verdict::Pass) => "",
@@ -37,7 +37,7 @@ pub(crate) fn verdict(result: &SubjectResult) -> String {
         (true, _) => ", as expected",
         (false, _) => ", which was not expected",
     };
-    format!("{found}{fit}.")
+    format!("{verdict}{fit}: {found}.")
 }
 
 /// What a mean says of its bias, what was bounded and what would have been seen.

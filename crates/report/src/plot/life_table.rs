@@ -78,8 +78,13 @@ fn picture(rows: &[Row], medium: Option<&MediumSeries>, subject: &str) -> Pictur
     let frame = picture.frame(Axis::linear("t, in length units", 0.0, end, 8), y, inset);
     behind(&mut picture, &frame, medium);
     picture.level(&frame, 1.0, Stroke::new(Ink::Text, 1.2));
-    let drawn = rows.iter().filter(|row| bar(&mut picture, &frame, row)).count();
-    if drawn == 0 {
+    // Those of one ink together: they share a path.
+    let draw = |picture: &mut Picture, part: Part| {
+        let by_ink =
+            [false, true].into_iter().flat_map(|broken| rows.iter().filter(move |row| row.broken == broken));
+        by_ink.filter(|row| part(picture, &frame, row).is_some()).count()
+    };
+    if draw(&mut picture, limits) + draw(&mut picture, ratio) + draw(&mut picture, beyond) == 0 {
         picture.note(&frame, "no row can be drawn: nobody gets there, or its values are not finite");
     }
     picture
@@ -118,25 +123,40 @@ fn behind(picture: &mut Picture, frame: &Frame, medium: Option<&MediumSeries>) {
     picture.area(outline, Ink::Axis, 0.25);
 }
 
-/// Draws limits and ratio of a row; false if it has neither.
-fn bar(picture: &mut Picture, frame: &Frame, row: &Row) -> bool {
-    let (Some(left), Some(right)) = (frame.across(row.from), frame.across(row.to)) else { return false };
-    let (ink, alpha) = if row.broken { (Ink::Vermillion, 0.5) } else { (Ink::Blue, 0.35) };
-    let limits = frame.up(row.low).zip(frame.up(row.high)).filter(|(low, high)| low - high > 0.0);
-    if let Some((low, high)) = limits {
-        picture.rect((left, low), (right, high), ink, alpha);
+/// Draws a part of a row, if the row has it.
+type Part = fn(&mut Picture, &Frame, &Row) -> Option<()>;
+
+impl Row {
+    const fn ink(&self) -> (Ink, f64) {
+        if self.broken { (Ink::Vermillion, 0.5) } else { (Ink::Blue, 0.35) }
     }
-    let beyond = row.broken && !(row.ratio >= frame.y.lo && row.ratio <= frame.y.hi);
-    let at = frame.up(row.ratio).filter(|_| !beyond);
-    if let Some(at) = at {
-        picture.line(vec![(left, at), (right, at)], Stroke::new(ink, 2.0));
+
+    /// It breaks the law and lies off the axis.
+    fn is_beyond(&self, y: &Axis) -> bool {
+        self.broken && !(self.ratio >= y.lo && self.ratio <= y.hi)
     }
-    if beyond {
-        let (mark, y) = match row.ratio < frame.y.lo {
-            true => (Mark::Down, frame.bottom - 6.0),
-            false => (Mark::Up, frame.top + 6.0),
-        };
-        picture.mark((0.5 * (left + right), y), mark, ink, false);
-    }
-    beyond || limits.is_some() || at.is_some()
+}
+
+fn limits(picture: &mut Picture, frame: &Frame, row: &Row) -> Option<()> {
+    let (left, right) = (frame.across(row.from)?, frame.across(row.to)?);
+    let (low, high) = frame.up(row.low).zip(frame.up(row.high)).filter(|(low, high)| low - high > 0.0)?;
+    let (ink, alpha) = row.ink();
+    picture.rect((left, low), (right, high), ink, alpha);
+    Some(())
+}
+
+fn ratio(picture: &mut Picture, frame: &Frame, row: &Row) -> Option<()> {
+    let (left, right) = (frame.across(row.from)?, frame.across(row.to)?);
+    let at = frame.up(row.ratio).filter(|_| !row.is_beyond(&frame.y))?;
+    picture.line(vec![(left, at), (right, at)], Stroke::new(row.ink().0, 2.0));
+    Some(())
+}
+
+fn beyond(picture: &mut Picture, frame: &Frame, row: &Row) -> Option<()> {
+    let (left, right) = (frame.across(row.from)?, frame.across(row.to)?);
+    let (mark, y) = match row.ratio < frame.y.lo {
+        true => (Mark::Down, frame.bottom - 6.0),
+        false => (Mark::Up, frame.top + 6.0),
+    };
+    row.is_beyond(&frame.y).then(|| picture.mark((0.5 * (left + right), y), mark, row.ink().0, false))
 }
