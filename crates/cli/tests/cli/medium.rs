@@ -6,6 +6,8 @@ use serde_json::Value;
 const RAMP: &str = r#"{ "title": "Ramp", "medium": { "formula": { "mu": "0.5*t", "length": 2.0, "majorant": 1.5 } },
     "subjects": [ { "free_path": { "exact": {} } } ] }"#;
 
+const FOG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../harness/tests/vdb/fog.json");
+
 #[test]
 fn the_table_tells_mu_its_majorant_tau_and_transmittance() {
     let folder = folder("medium");
@@ -47,31 +49,6 @@ fn an_unknown_name_in_a_formula_is_refused_by_name_and_column() {
     assert!(err.contains("unknown name `sigma` at column 5") && err.contains("ramp.json"), "{err}");
 }
 
-const FOG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../harness/tests/vdb/fog.json");
-
-#[test]
-#[cfg(not(feature = "vdb"))]
-fn a_vdb_volume_is_refused_with_the_feature_that_reads_it() {
-    let folder = folder("medium_vdb");
-    let (code, out, err) = run(&folder, &["medium", FOG]);
-    assert_eq!((code, out.as_str()), (2, ""));
-    assert!(err.contains("this program was built without OpenVDB (one built with `--features vdb`)"), "{err}");
-}
-
-#[test]
-#[cfg(feature = "vdb")]
-fn a_vdb_volume_is_a_medium() {
-    let folder = folder("medium_vdb");
-    let nearest = FOG.replace("fog.json", "fog_nearest.json");
-    let (code, out, err) = run(&folder, &["medium", FOG, &nearest, "--json"]);
-    assert_eq!((code, err.as_str()), (0, ""));
-    let all: Value = serde_json::from_str(&out).unwrap();
-    assert_eq!((all[0]["medium"].as_str(), all[1]["medium"].as_str()), (Some("voxel_grid"), Some("voxel_grid")));
-    let (code, out, err) = run(&folder, &["run", FOG, &nearest, "--quick"]);
-    assert_eq!(code, 0, "{out}{err}");
-    assert!(out.contains("9 of 9 as expected: 9 pass"), "{out}");
-}
-
 #[test]
 fn a_peak_above_the_majorant_that_no_sample_meets_is_told_by_the_subjects() {
     let folder = folder("medium_peak");
@@ -107,4 +84,27 @@ fn an_empty_medium_is_judged_like_any_other() {
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         assert!(out.contains("4 of 4 as expected"), "{out}");
     }
+}
+
+#[test]
+#[cfg(not(feature = "vdb"))]
+fn a_vdb_volume_is_refused_with_the_feature_that_reads_it() {
+    let folder = folder("medium_vdb");
+    let (code, out, err) = run(&folder, &["medium", FOG]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("this program was built without OpenVDB (one built with `--features vdb`)"), "{err}");
+}
+
+#[test]
+#[cfg(feature = "vdb")]
+fn a_vdb_volume_is_a_medium() {
+    let folder = folder("medium_vdb");
+    let nearest = FOG.replace("fog.json", "fog_nearest.json");
+    let (code, out, err) = run(&folder, &["medium", FOG, &nearest, "--json"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let all: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((all[0]["medium"].as_str(), all[1]["medium"].as_str()), (Some("voxel_grid"), Some("voxel_grid")));
+    let (code, out, err) = run(&folder, &["run", FOG, &nearest, "--quick"]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("9 of 9 as expected: 9 pass"), "{out}");
 }
