@@ -268,8 +268,8 @@ static inline void freepath_read_curve(freepath_medium *medium, const char *oute
 static inline void freepath_read_medium(freepath_medium *medium) {
     const char *outer = freepath_find(medium->request, "medium");
     const char *after = strstr(medium->request, "\"majorants\"");
-    char *table = after ? freepath_string(after, "table") : NULL; /* a medium is called so, too */
     if (!outer || !after) freepath_die("the request has no", "medium");
+    char *table = freepath_string(after, "table"); /* a medium is called so, too */
     medium->length = freepath_number(after, "length", 1, 0.0);
     if (table) {
         freepath_read_table(medium, table);

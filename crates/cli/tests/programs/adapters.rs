@@ -16,6 +16,7 @@ pub(crate) const TESTS: &[Test] = &[
     ("cpp_reads_every_table", || every_table(&["./delta_tracking_cpp"])),
     ("c_reads_every_table", || every_table(&["./delta_tracking_c"])),
     ("the_readme_leads_to_verdicts", the_readme_leads_to_verdicts),
+    ("what_is_left_out_for_want_of_a_tool_is_told", what_is_left_out_is_told),
 ];
 
 /// A copy of the adapters, with what can be built of their examples.
@@ -159,4 +160,15 @@ fn said(line: &str) -> String {
     let (code, out, err) = told(&command.output().unwrap());
     assert_eq!(code, 0, "{line}: {out}{err}");
     out
+}
+
+/// By these tests themselves, where there is no such interpreter.
+fn what_is_left_out_is_told() {
+    let mut tests = Command::new(std::env::current_exe().unwrap());
+    tests.arg("python_reads_every_table").env("FREEPATH_PYTHON", "/no/such/python");
+    let (code, out, err) = told(&tests.output().unwrap());
+    assert!(code == 0 && out.contains("ok. 0 passed; 0 failed; 1 left out"), "{out}{err}");
+    let words =
+        "LEFT OUT: python_reads_every_table was not tested; there is no python3 with NumPy (install python3-numpy";
+    assert!(err.contains(words), "{err}");
 }

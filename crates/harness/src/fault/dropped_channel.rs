@@ -18,6 +18,22 @@ pub struct DroppedChannel {
     channel: usize,
 }
 
+/// Draws are not drawn again for ever if another channel is drawn so often,
+const RARELY: f64 = 1e-3;
+/// and is so dense that 1 / T exceeds 1 by more than rounding.
+const THIN: f64 = 1e-9;
+
+impl DroppedChannel {
+    /// Whether drawing again comes to an end.
+    fn ends(&self, target: &Target) -> bool {
+        let Some(medium) = target.channels else { return true };
+        let probability = |k: usize| target.parameters["channel_probabilities"][k].as_f64();
+        let dense = |k: usize| medium.channels()[k].extinction.mu(0.0) * medium.length() >= THIN;
+        let often = |k: usize| probability(k).is_none_or(|q| q >= RARELY);
+        (0..medium.media().len()).any(|k| k != self.channel && often(k) && dense(k))
+    }
+}
+
 impl Plant for DroppedChannel {
     fn layer(&self) -> Layer {
         Layer::Draws
@@ -28,6 +44,10 @@ impl Plant for DroppedChannel {
         let drawn = target.parameters["channel_probabilities"][self.channel].as_f64();
         if target.parameters["channel"].is_u64() || drawn.is_some_and(|q| q >= 1.0) {
             return Err("it needs other channels that are drawn".into());
+        }
+        if !self.ends(target) {
+            let needed = format!("drawn at {RARELY} or more, of an optical depth of {THIN} or more");
+            return Err(format!("it needs another channel to draw again from, {needed}"));
         }
         let clear = target.channels.is_some_and(|medium| medium.channels()[self.channel].extinction.mu(0.0) <= 0.0);
         if clear { Ok(()) } else { Err(format!("channel {} must be transparent", self.channel)) }

@@ -168,7 +168,10 @@ fn a_fault_is_refused_where_it_does_not_fit() {
         (refusal(A, DELTA, r#""cell_majorant": { "at": "start" }"#), "a medium of several cells"),
         (refusal(G, r#""chromatic": { "balance": {} }"#, r#""channel_pdf": { "channel": 3 }"#), "no channel 3"),
     ];
-    for (message, words) in all {
+    let thin = r#"{ "chromatic": { "sigma_t": [0.0, 10.0], "sigma_s": [0.0, 0.0], "length": 4e-21 } }"#;
+    let for_ever =
+        refusal(thin, r#""chromatic": { "single_channel": {} }"#, r#""dropped_channel": { "channel": 0 }"#);
+    for (message, words) in all.into_iter().chain([(for_ever, "another channel to draw again from")]) {
         assert!(message.contains("fault ") && message.contains(words), "{words:?} is not in {message}");
     }
 }

@@ -7,7 +7,7 @@ use super::stored::Stored;
 pub(super) use header::Header;
 use std::io::Read;
 
-/// What a volume, or a table of nodes, may hold.
+/// What a volume or a table may hold.
 pub(super) const TYPES: &str = "uint8, uint16, float32 or float64, little or big endian";
 
 /// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.

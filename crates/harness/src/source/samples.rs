@@ -7,6 +7,7 @@ use freepath_estimators::Draws;
 use meaning::Meaning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use table::Table;
@@ -92,8 +93,18 @@ impl SampleFile {
     /// If the file is not regular, empty, not what its format or `request` says, cut short, or holds text where a number
     /// should be.
     pub fn open(path: &Path, request: &Request) -> Result<Self, SourceError> {
-        let path = (path != Path::new("-")).then_some(path);
-        inspect::open(path, request).map_err(|refusal| SourceError { file: shown(path), refusal })
+        if path == Path::new("-") {
+            return Self::stream(Box::new(std::io::stdin()), request);
+        }
+        inspect::open(path, request).map_err(|refusal| SourceError { file: path.to_path_buf(), refusal })
+    }
+
+    /// The samples that `input` gives, once: raw doubles unless `request` states a format, and as many as it asks for.
+    ///
+    /// # Errors
+    /// If the input does not begin as its format or `request` says, or the number of draws is not known.
+    pub fn stream(input: Box<dyn Read + Send>, request: &Request) -> Result<Self, SourceError> {
+        inspect::stream(input, request).map_err(|refusal| SourceError { file: shown(None), refusal })
     }
 
     /// Rows of stage 1.

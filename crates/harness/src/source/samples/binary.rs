@@ -3,6 +3,9 @@
 use super::{Refusal, Table};
 use std::io::{ErrorKind, Read};
 
+/// Bytes read at a time: more than any row has, and no more for a block of wide rows.
+const PART: usize = 1 << 20;
+
 /// How a number is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Cell {
@@ -72,8 +75,9 @@ fn decode<const W: usize>(
     }
 }
 
-impl Table for Binary {
-    fn read(&mut self, rows: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal> {
+impl Binary {
+    /// The next rows, at most `rows`, written from place `at` of each column on.
+    fn part(&mut self, rows: usize, at: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal> {
         let row = self.across * self.cell.width();
         self.bytes.resize(rows * row, 0);
         let filled = self.fill()?;
@@ -82,8 +86,23 @@ impl Table for Binary {
         }
         let rows = filled / row;
         for (&wanted, column) in self.wanted.iter().zip(columns) {
-            self.decode(wanted, &mut column[..rows]);
+            self.decode(wanted, &mut column[at..at + rows]);
         }
         Ok(rows)
+    }
+}
+
+impl Table for Binary {
+    fn read(&mut self, rows: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal> {
+        let (most, mut done) = (PART / (self.across * self.cell.width()), 0);
+        while done < rows {
+            let part = if rows - done < most { rows - done } else { most };
+            let read = self.part(part, done, columns)?;
+            done += read;
+            if read < part {
+                break;
+            }
+        }
+        Ok(done)
     }
 }

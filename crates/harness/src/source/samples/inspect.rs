@@ -65,16 +65,18 @@ impl Layout {
     }
 }
 
-/// Opens a file, or standard input if there is no path.
-pub(super) fn open(path: Option<&Path>, request: &Request) -> Result<SampleFile, Refusal> {
+/// Begins to read what can be read only once.
+pub(super) fn stream(input: Box<dyn Read + Send>, request: &Request) -> Result<SampleFile, Refusal> {
+    let unknown = || Refusal::new("the number of draws is not known", "state `--draws`");
+    let rows = request.draws.ok_or_else(unknown)?;
+    let begun = begin(input, request.format.unwrap_or(Format::F64), request)?;
+    enough(begun.rows.unwrap_or(rows), rows)?;
+    Ok(begun.file(None, request, rows, 0))
+}
+
+/// Opens a file.
+pub(super) fn open(path: &Path, request: &Request) -> Result<SampleFile, Refusal> {
     let format = format(path, request)?;
-    let Some(path) = path else {
-        let rows =
-            request.draws.ok_or_else(|| Refusal::new("the number of draws is not known", "state `--draws`"))?;
-        let begun = begin(Box::new(std::io::stdin()), format, request)?;
-        enough(begun.rows.unwrap_or(rows), rows)?;
-        return Ok(begun.file(None, request, rows, 0));
-    };
     let (file, size) = open_regular(path)?;
     let mut begun = begin(Box::new(file), format, request)?;
     let held = match &begun.layout {
@@ -98,15 +100,14 @@ fn enough(held: u64, rows: u64) -> Result<(), Refusal> {
     }
 }
 
-/// What the ending of the name tells, unless the format is stated; standard input is raw doubles.
-fn format(path: Option<&Path>, request: &Request) -> Result<Format, Refusal> {
-    let ending = path.map(|path| path.extension().unwrap_or_default().to_ascii_lowercase());
-    let told = match ending.as_ref().map(|ending| ending.to_str()) {
-        None | Some(Some("f64")) => Some(Format::F64),
-        Some(Some("npy")) => Some(Format::Npy),
-        Some(Some("csv")) => Some(Format::Csv),
-        Some(Some("txt")) => Some(Format::Txt),
-        Some(_) => None,
+/// What the ending of the name tells, unless the format is stated.
+fn format(path: &Path, request: &Request) -> Result<Format, Refusal> {
+    let told = match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+        Some("f64") => Some(Format::F64),
+        Some("npy") => Some(Format::Npy),
+        Some("csv") => Some(Format::Csv),
+        Some("txt") => Some(Format::Txt),
+        _ => None,
     };
     let unknown = || {
         Refusal::new(

@@ -99,6 +99,16 @@ fn every_format_gives_the_same_draws() {
 }
 
 #[test]
+fn wide_rows_are_read_in_parts() {
+    let (rows, across) = (3000, 100);
+    let all: Vec<f64> = (0..rows * across).map(|i| i as f64 / 1e6).collect();
+    let table = npy("<f8", &format!("({rows}, {across})"), &doubles(&all));
+    let file = open("a.npy", &table, &Request { column: Some("99"), length: 1.0, ..request() }).unwrap();
+    let last: Vec<f64> = all.chunks(across).map(|row| row[across - 1]).collect();
+    assert_eq!(paths(&file), last);
+}
+
+#[test]
 fn a_column_is_named_or_numbered() {
     let csv = "i,t,other\n7,0.5,x\n8,1.75,x\n9,inf,x\n10,0.0625,\n";
     for column in ["t", "1"] {
