@@ -4,6 +4,7 @@
 Needs chromium and chromedriver, nothing else. One line for each check, then a count; exit code 1 if one failed.
 """
 
+import contextlib
 import json
 import pathlib
 import shutil
@@ -154,6 +155,8 @@ class Browser:
             ["chromedriver", f"--port={port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         self.base = f"http://127.0.0.1:{port}"
+
+    def start(self):
         self.wait()
         options = {"args": FLAGS + [f"--user-data-dir={self.profile}"]}
         wanted = {"goog:chromeOptions": options, "goog:loggingPrefs": {"performance": "ALL", "browser": "ALL"}}
@@ -192,12 +195,11 @@ class Browser:
         self.send("POST", "/url", {"url": url})
 
     def close(self):
-        try:
+        with contextlib.suppress(RuntimeError, OSError):  # there may be no session
             self.send("DELETE", "")
-        finally:
-            self.driver.terminate()
-            self.driver.wait()
-            shutil.rmtree(self.profile, ignore_errors=True)
+        self.driver.terminate()
+        self.driver.wait()
+        shutil.rmtree(self.profile, ignore_errors=True)
 
 
 class Checks:
@@ -305,6 +307,7 @@ def main():
     url = pathlib.Path(sys.argv[1]).resolve().as_uri()
     checks, browser = Checks(), Browser()
     try:
+        browser.start()
         browser.send("POST", "/url", {"url": "about:blank"})
         browser.log("performance")  # what the browser's own first page asked for
         look(browser, checks, url)

@@ -2,12 +2,12 @@
  *
  *     #include "freepath.h"
  *     static double tracker(const freepath_medium *medium, freepath_rng *rng) { .. }   // infinity for an escape
- *     int main(void) { return freepath_serve(tracker, NULL); }
+ *     int main(void) { return freepath_serve(tracker, NULL, NULL); }
  *
  * `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from
  * standard output. So print to standard error, take every random number from `rng`, and nothing from the clock.
  *
- * Known media: gaussian, exponential, and all that come as a table (constant, linear, piecewise, voxels and the like).
+ * freepath_mu knows every medium but `formula`; of that medium->request has the JSON.
  */
 #ifndef FREEPATH_ADAPTER_H
 #define FREEPATH_ADAPTER_H
@@ -45,20 +45,38 @@ typedef struct freepath_medium {
     const char *request;
     /* Read through freepath_mu. */
     int kind;
-    double base, peak, center, width, mu0, scale_height;
+    double base, peak, center, width, mu0, scale_height, mean, amplitude, per_length, phase;
+    /* Of a medium in media: mu(t) = by * mu_within(start + slope * t). */
+    double by, start, slope;
     size_t cells, rows_per_cell;
     double *t, *mu;
+    /* Of a chromatic medium: extinction and scattering of each channel. */
+    size_t channels;
+    double *sigma_t, *sigma_s;
 } freepath_medium;
 
-enum { FREEPATH_TABLE = 1, FREEPATH_GAUSSIAN, FREEPATH_EXPONENTIAL };
+enum { FREEPATH_TABLE = 1, FREEPATH_GAUSSIAN, FREEPATH_EXPONENTIAL, FREEPATH_SINUSOID };
+
+static inline void freepath_die(const char *what, const char *which) {
+    fprintf(stderr, "freepath.h: %s %s\n", what, which);
+    exit(2);
+}
+
+/* The extinction of a medium that is no table. */
+static inline double freepath_curve(const freepath_medium *medium, double t) {
+    double x = (t - medium->center) / medium->width;
+    switch (medium->kind) {
+        case FREEPATH_GAUSSIAN: return medium->base + medium->peak * exp(-0.5 * x * x);
+        case FREEPATH_EXPONENTIAL: return medium->mu0 * exp(-t / medium->scale_height);
+        case FREEPATH_SINUSOID: return medium->mean * (1.0 + medium->amplitude * sin(medium->per_length * t + medium->phase));
+    }
+    freepath_die("this header does not know mu(t) of the medium; write it yourself:", medium->request);
+    return 0.0;
+}
 
 /* Extinction at t, 1/length. */
 static inline double freepath_mu(const freepath_medium *medium, double t) {
-    if (medium->kind == FREEPATH_GAUSSIAN) {
-        double x = (t - medium->center) / medium->width;
-        return medium->base + medium->peak * exp(-0.5 * x * x);
-    }
-    if (medium->kind == FREEPATH_EXPONENTIAL) return medium->mu0 * exp(-t / medium->scale_height);
+    if (medium->kind != FREEPATH_TABLE) return medium->by * freepath_curve(medium, medium->start + medium->slope * t);
     size_t n = medium->rows_per_cell, low = 0, high = medium->cells; /* t is in cell low, before cell high */
     while (high - low > 1) {
         size_t middle = low + (high - low) / 2;
@@ -73,11 +91,6 @@ static inline double freepath_mu(const freepath_medium *medium, double t) {
         sum += weight * mu[k];
     }
     return sum;
-}
-
-static inline void freepath_die(const char *what, const char *which) {
-    fprintf(stderr, "freepath.h: %s %s\n", what, which);
-    exit(2);
 }
 
 static inline void *freepath_room(size_t numbers) {
@@ -176,16 +189,62 @@ static inline void freepath_read_table(freepath_medium *medium, const char *path
     if (medium->cells == 0) freepath_die("no rows in", path);
 }
 
-static inline void freepath_read_medium(freepath_medium *medium) {
-    const char *outer = freepath_find(medium->request, "medium");
-    const char *after = strstr(medium->request, "\"majorants\"");
-    char *table = after ? freepath_string(after, "table") : NULL; /* a medium is called so, too */
-    const char *is = outer && *outer == '{' ? outer + 1 + strspn(outer + 1, " \t") : "";
-    medium->length = freepath_number(after, "length", 1, 0.0);
-    if (table) {
-        freepath_read_table(medium, table);
-        free(table);
-    } else if (strncmp(is, "\"gaussian\"", 10) == 0) {
+/* Whether the object at `at` has this as its first key: what kind of medium it is. */
+static inline int freepath_is(const char *at, const char *kind) {
+    size_t n = strlen(kind);
+    const char *key = *at == '{' ? at + 1 + strspn(at + 1, " \t") : "";
+    return *key == '"' && strncmp(key + 1, kind, n) == 0 && key[n + 1] == '"';
+}
+
+/* The length of the medium at `at`. Media state their numbers before the medium within. */
+static inline double freepath_length(const char *at) {
+    while (freepath_is(at, "scaled") || freepath_is(at, "reversed")) {
+        at = freepath_find(at, "medium");
+        if (!at) freepath_die("the request has no", "medium within a medium");
+    }
+    if (!freepath_is(at, "segment")) return freepath_number(at, "length", 1, 0.0);
+    return freepath_number(at, "to", 1, 0.0) - freepath_number(at, "from", 1, 0.0);
+}
+
+/* The innermost medium in the one at `at`; where it lies is kept. */
+static inline const char *freepath_within(freepath_medium *medium, const char *at) {
+    medium->by = medium->slope = 1.0;
+    for (;;) {
+        if (freepath_is(at, "scaled")) {
+            medium->by *= freepath_number(at, "by", 1, 0.0);
+        } else if (freepath_is(at, "segment")) {
+            medium->start += freepath_number(at, "from", 1, 0.0);
+        } else if (freepath_is(at, "reversed")) {
+            medium->start = freepath_length(at) - medium->start;
+            medium->slope = -medium->slope;
+        } else {
+            return at;
+        }
+        at = freepath_find(at, "medium");
+        if (!at) freepath_die("the request has no", "medium within a medium");
+    }
+}
+
+/* The numbers of the list after "key": in `from`, times `by`; how many there are. */
+static inline size_t freepath_list(const char *from, const char *key, double by, double **list) {
+    const char *at = freepath_find(from, key);
+    char *end;
+    size_t n = 0;
+    if (!at || *at != '[') freepath_die("the request has no list", key);
+    *list = (double *)freepath_room(strlen(at) / 2);
+    for (at++; *at != ']'; at = end + strspn(end, ", \t"), n++) {
+        (*list)[n] = by * strtod(at, &end);
+        if (end == at) freepath_die("the request has no list", key);
+    }
+    return n;
+}
+
+static inline void freepath_read_curve(freepath_medium *medium, const char *outer) {
+    const char *is = freepath_within(medium, outer);
+    if (freepath_is(is, "chromatic")) {
+        medium->channels = freepath_list(is, "sigma_t", medium->by, &medium->sigma_t);
+        freepath_list(is, "sigma_s", medium->by, &medium->sigma_s);
+    } else if (freepath_is(is, "gaussian")) {
         const char *close = strchr(is, '}');
         const char *base = freepath_find(is, "base");
         medium->kind = FREEPATH_GAUSSIAN;
@@ -193,16 +252,40 @@ static inline void freepath_read_medium(freepath_medium *medium) {
         medium->peak = freepath_number(is, "peak", 1, 0.0);
         medium->center = freepath_number(is, "center", 1, 0.0);
         medium->width = freepath_number(is, "width", 1, 0.0);
-    } else if (strncmp(is, "\"exponential\"", 13) == 0) {
+    } else if (freepath_is(is, "exponential")) {
         medium->kind = FREEPATH_EXPONENTIAL;
         medium->mu0 = freepath_number(is, "mu0", 1, 0.0);
         medium->scale_height = freepath_number(is, "scale_height", 1, 0.0);
-    } else {
-        freepath_die("this header does not know mu(t) of the medium; write it yourself:", outer ? outer : "");
+    } else if (freepath_is(is, "sinusoid")) {
+        medium->kind = FREEPATH_SINUSOID;
+        medium->mean = freepath_number(is, "mean", 1, 0.0);
+        medium->amplitude = freepath_number(is, "amplitude", 1, 0.0);
+        medium->per_length = 2.0 * acos(-1.0) * freepath_number(is, "frequency", 1, 0.0);
+        medium->phase = freepath_number(is, "phase", 0, 0.0);
     }
 }
 
+static inline void freepath_read_medium(freepath_medium *medium) {
+    const char *outer = freepath_find(medium->request, "medium");
+    const char *after = strstr(medium->request, "\"majorants\"");
+    if (!outer || !after) freepath_die("the request has no", "medium");
+    char *table = freepath_string(after, "table"); /* a medium is called so, too */
+    medium->length = freepath_number(after, "length", 1, 0.0);
+    if (table) {
+        freepath_read_table(medium, table);
+        free(table);
+    } else {
+        freepath_read_curve(medium, outer);
+    }
+}
+
+/* A free path (infinity for an escape), or an estimate of the transmittance. */
 typedef double (*freepath_sampler)(const freepath_medium *medium, freepath_rng *rng);
+
+enum { FREEPATH_SCATTER = 0, FREEPATH_SURFACE = 1 };
+
+/* A chromatic draw: returns the event, writes its distance to t and as many weights as the medium has channels. */
+typedef int (*freepath_chromatic)(const freepath_medium *medium, freepath_rng *rng, double *t, double *weights);
 
 static inline void freepath_write(double x) {
     uint64_t bits;
@@ -212,26 +295,44 @@ static inline void freepath_write(double x) {
     if (fwrite(bytes, 1, 8, stdout) != 8) freepath_die("cannot write", "a draw");
 }
 
-/* Answers one request: free_path gives t, infinity for an escape; transmittance gives an estimate. Either may be NULL. */
-static inline int freepath_serve(freepath_sampler free_path, freepath_sampler transmittance) {
+static inline void freepath_draw(const freepath_medium *medium, uint64_t draws, uint64_t seed, freepath_sampler sampler) {
+    freepath_rng rng = {seed};
+    for (uint64_t i = 0; i < draws; i++) freepath_write(sampler(medium, &rng));
+}
+
+static inline void freepath_draw_chromatic(const freepath_medium *medium, uint64_t draws, uint64_t seed, freepath_chromatic sampler) {
+    freepath_rng rng = {seed};
+    double t = 0.0, *weights = (double *)freepath_room(medium->channels);
+    for (uint64_t i = 0; i < draws; i++) {
+        int event = sampler(medium, &rng, &t, weights);
+        freepath_write(t);
+        freepath_write((double)event);
+        for (size_t c = 0; c < medium->channels; c++) freepath_write(weights[c]);
+    }
+    free(weights);
+}
+
+/* Answers one request by the sampler of its kind; any of them may be NULL. */
+static inline int freepath_serve(freepath_sampler free_path, freepath_sampler transmittance, freepath_chromatic chromatic) {
     freepath_medium medium;
-    freepath_rng rng;
     char *line = freepath_line(), *kind;
     memset(&medium, 0, sizeof medium);
     medium.request = line;
     if (freepath_number(line, "protocol", 1, 0.0) != 1.0) freepath_die("unknown", "protocol");
     kind = freepath_string(line, "kind");
+    int is_chromatic = kind && strcmp(kind, "chromatic") == 0;
     freepath_sampler sampler = NULL;
     if (kind && strcmp(kind, "free_path") == 0) sampler = free_path;
     if (kind && strcmp(kind, "transmittance") == 0) sampler = transmittance;
-    if (!sampler) freepath_die("there is no sampler of the kind", kind ? kind : "?");
+    if (is_chromatic ? !chromatic : !sampler) freepath_die("there is no sampler of the kind", kind ? kind : "?");
     freepath_read_majorants(&medium);
     freepath_read_medium(&medium);
-    rng.state = (uint64_t)freepath_number(line, "seed", 1, 0.0);
-    uint64_t draws = (uint64_t)freepath_number(line, "draws", 1, 0.0);
-    for (uint64_t i = 0; i < draws; i++) freepath_write(sampler(&medium, &rng));
+    uint64_t seed = (uint64_t)freepath_number(line, "seed", 1, 0.0), draws = (uint64_t)freepath_number(line, "draws", 1, 0.0);
+    if (is_chromatic) freepath_draw_chromatic(&medium, draws, seed, chromatic);
+    else freepath_draw(&medium, draws, seed, sampler);
     if (fflush(stdout) != 0) freepath_die("cannot write", "the draws");
-    free(medium.ends), free(medium.mu_bar), free(medium.t), free(medium.mu), free(kind), free(line);
+    free(medium.ends), free(medium.mu_bar), free(medium.t), free(medium.mu), free(medium.sigma_t), free(medium.sigma_s);
+    free(kind), free(line);
     return 0;
 }
 

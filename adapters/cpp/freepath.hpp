@@ -4,11 +4,12 @@
 //     double tracker(const freepath::Medium &medium, freepath::Rng &rng) { .. }  // infinity for an escape
 //     int main() { return freepath::serve({{"free_path", tracker}}); }
 //
+// A chromatic sampler gives a freepath::ChromaticDraw instead of a number.
+//
 // `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from standard
 // output. So print to std::cerr, take every random number from `rng`, and nothing from the clock.
 //
-// Known media: gaussian, exponential, and all that come as a table (constant, linear, piecewise, voxels and the like); of
-// others Medium::parameters has the JSON.
+// Medium::mu knows every medium but `formula`; of that Medium::parameters has the JSON.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +28,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace freepath {
@@ -108,16 +110,22 @@ struct Majorants {
     std::vector<double> ends, mu_bar;
 
     double at(double t) const {
+        if (mu_bar.empty()) throw std::runtime_error("a medium of channels has no majorant");
         auto k = static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), t) - ends.begin());
         return mu_bar[std::min(k, mu_bar.size() - 1)];
     }
-    double greatest() const { return *std::max_element(mu_bar.begin(), mu_bar.end()); }
+    double greatest() const {
+        if (mu_bar.empty()) throw std::runtime_error("a medium of channels has no majorant");
+        return *std::max_element(mu_bar.begin(), mu_bar.end());
+    }
 };
 
 // The extinction along the ray.
 struct Medium {
     double length = 0.0;
     Majorants majorants;
+    // Of a chromatic medium: extinction and scattering of each channel.
+    std::vector<double> sigma_t, sigma_s;
     // The medium as the case has it, and how it is called.
     std::string name;
     Json parameters;
@@ -130,27 +138,59 @@ struct Medium {
             majorants.mu_bar.push_back(segment["mu_bar"].number);
         }
         std::tie(name, parameters) = *request["medium"].fields.begin();
-        mu = request.has("table") ? table(request["table"].text, request["rows_per_cell"].number) : closed_form();
+        channels(request["medium"], 1.0);
+        mu = request.has("table") ? table(request["table"].text, request["rows_per_cell"].number)
+                                  : closed_form(request["medium"]);
     }
 
 private:
-    std::function<double(double)> closed_form() const {
-        if (name == "gaussian") {
-            double base = parameters.has("base") ? parameters["base"].number : 0.0, peak = parameters["peak"].number;
-            double center = parameters["center"].number, width = parameters["width"].number;
+    using Mu = std::function<double(double)>;
+
+    // Reads them, if the medium has channels.
+    void channels(const Json &medium, double by) {
+        const auto &[is, p] = *medium.fields.begin();
+        if (is == "chromatic") {
+            for (const Json &sigma : p["sigma_t"].items) sigma_t.push_back(by * sigma.number);
+            for (const Json &sigma : p["sigma_s"].items) sigma_s.push_back(by * sigma.number);
+        } else if (p.has("medium")) {
+            channels(p["medium"], is == "scaled" ? by * p["by"].number : by);
+        }
+    }
+
+    static double length_of(const Json &medium) {
+        const auto &[is, p] = *medium.fields.begin();
+        if (is == "scaled" || is == "reversed") return length_of(p["medium"]);
+        return is == "segment" ? p["to"].number - p["from"].number : p["length"].number;
+    }
+
+    // Media that are polynomials between breaks come as a table.
+    static Mu closed_form(const Json &medium) {
+        const std::string is = medium.fields.begin()->first;
+        const Json &p = medium.fields.begin()->second;
+        if (is == "gaussian") {
+            double base = p.has("base") ? p["base"].number : 0.0, peak = p["peak"].number;
+            double center = p["center"].number, width = p["width"].number;
             return [=](double t) { return base + peak * std::exp(-0.5 * std::pow((t - center) / width, 2)); };
         }
-        if (name == "exponential") {
-            double mu0 = parameters["mu0"].number, height = parameters["scale_height"].number;
+        if (is == "exponential") {
+            double mu0 = p["mu0"].number, height = p["scale_height"].number;
             return [=](double t) { return mu0 * std::exp(-t / height); };
         }
-        return [name = name](double) -> double {
-            throw std::runtime_error("freepath.hpp does not know mu(t) of the medium " + name + ": write it yourself");
+        if (is == "sinusoid") {
+            double mean = p["mean"].number, amplitude = p["amplitude"].number;
+            double per_length = 2.0 * std::acos(-1.0) * p["frequency"].number, phase = p.has("phase") ? p["phase"].number : 0.0;
+            return [=](double t) { return mean * (1.0 + amplitude * std::sin(per_length * t + phase)); };
+        }
+        if (is == "scaled") return [by = p["by"].number, of = closed_form(p["medium"])](double t) { return by * of(t); };
+        if (is == "segment") return [at = p["from"].number, of = closed_form(p["medium"])](double t) { return of(at + t); };
+        if (is == "reversed") return [end = length_of(medium), of = closed_form(p["medium"])](double t) { return of(end - t); };
+        return [is](double) -> double {
+            throw std::runtime_error("freepath.hpp does not know mu(t) of the medium " + is + ": write it yourself");
         };
     }
 
     // Through the nodes of each cell: Lagrange's polynomial.
-    static std::function<double(double)> table(const std::string &path, double rows_per_cell) {
+    static Mu table(const std::string &path, double rows_per_cell) {
         std::ifstream file(path);
         std::string head;
         std::vector<double> ts, mus;
@@ -178,7 +218,14 @@ private:
     }
 };
 
-using Sampler = std::function<double(const Medium &, Rng &)>;
+// A row of a chromatic sampler: where the light scatters, or that it reaches the surface, and a weight for each channel.
+struct ChromaticDraw {
+    double t;
+    bool surface;
+    std::vector<double> weights;
+};
+
+using Sampler = std::variant<std::function<double(const Medium &, Rng &)>, std::function<ChromaticDraw(const Medium &, Rng &)>>;
 
 namespace detail {
 inline void write(double x) {
@@ -189,22 +236,36 @@ inline void write(double x) {
     std::cout.write(bytes, 8);
 }
 
+inline void write(const ChromaticDraw &draw, std::size_t channels) {
+    if (draw.weights.size() != channels)
+        throw std::runtime_error("the sampler gave " + std::to_string(draw.weights.size()) + " weights for " +
+                                 std::to_string(channels) + " channels");
+    write(draw.t);
+    write(draw.surface ? 1.0 : 0.0);
+    for (double weight : draw.weights) write(weight);
+}
+
 inline void answer(const std::map<std::string, Sampler> &samplers) {
     std::string line;
     std::getline(std::cin, line);
     const Json request = JsonReader(line).value();
     if (request["protocol"].number != 1.0) throw std::runtime_error("unknown protocol");
-    auto sampler = samplers.find(request["kind"].text);
-    if (sampler == samplers.end()) throw std::runtime_error("there is no sampler of the kind " + request["kind"].text);
+    const std::string kind = request["kind"].text;
+    auto sampler = samplers.find(kind);
+    if (sampler == samplers.end() || sampler->second.index() != (kind == "chromatic"))
+        throw std::runtime_error("there is no sampler of the kind " + kind);
     const Medium medium(request);
     Rng rng(static_cast<std::uint64_t>(request["seed"].number));
     auto draws = static_cast<std::uint64_t>(request["draws"].number);
-    for (std::uint64_t i = 0; i < draws; i++) write(sampler->second(medium, rng));
+    for (std::uint64_t i = 0; i < draws; i++) {
+        if (auto number = std::get_if<0>(&sampler->second)) write((*number)(medium, rng));
+        else write(std::get<1>(sampler->second)(medium, rng), medium.sigma_t.size());
+    }
     if (!std::cout.flush()) throw std::runtime_error("cannot write the draws");
 }
 }  // namespace detail
 
-// Answers one request: `free_path` gives t, infinity for an escape; `transmittance` gives an estimate.
+// Answers one request: `free_path` gives t, infinity for an escape; `transmittance` an estimate; `chromatic` a row.
 inline int serve(const std::map<std::string, Sampler> &samplers) {
     std::ios::sync_with_stdio(false);
     try {

@@ -1,4 +1,5 @@
-/* Delta tracking. With the argument `late` it looks mu up a step late: a wrong sampler. */
+/* Delta tracking, and a chromatic sampler. With the argument `late` the one looks mu up a step late, and the weights of the
+ * other are too large: wrong samplers. */
 #include "../c/freepath.h"
 
 static double late = 0.0;
@@ -20,7 +21,22 @@ static double escapes(const freepath_medium *medium, freepath_rng *rng) {
     return isinf(delta_tracking(medium, rng)) ? 1.0 : 0.0;
 }
 
+/* A channel is drawn, and its distance weighted by the mean density of all (the balance heuristic). */
+static int one_channel(const freepath_medium *medium, freepath_rng *rng, double *t, double *weights) {
+    double sigma = medium->sigma_t[(size_t)(freepath_uniform(rng) * (double)medium->channels)], density = 0.0;
+    *t = -log(1.0 - freepath_uniform(rng)) / sigma;
+    int event = *t < medium->length ? FREEPATH_SCATTER : FREEPATH_SURFACE;
+    if (event == FREEPATH_SURFACE) *t = medium->length;
+    for (size_t c = 0; c < medium->channels; c++) {
+        double beam = exp(-medium->sigma_t[c] * *t);
+        density += beam * (event == FREEPATH_SURFACE ? 1.0 : medium->sigma_t[c]) / (double)medium->channels;
+        weights[c] = beam * (event == FREEPATH_SURFACE ? 1.0 : medium->sigma_s[c]);
+    }
+    for (size_t c = 0; c < medium->channels; c++) weights[c] *= (late > 0.0 ? 1.05 : 1.0) / density;
+    return event;
+}
+
 int main(int argc, char **argv) {
     if (argc > 1 && strcmp(argv[1], "late") == 0) late = 0.1;
-    return freepath_serve(delta_tracking, escapes);
+    return freepath_serve(delta_tracking, escapes, one_channel);
 }

@@ -37,8 +37,7 @@ def ratio_tracking(medium, n, rng):
 
 def one_channel(medium, n, rng):
     """Chromatic: a channel is drawn, and its distance weighted by the mean density of all (the balance heuristic)."""
-    p = medium.parameters["chromatic"]
-    sigma_t, sigma_s = np.array(p["sigma_t"]), np.array(p["sigma_s"])
+    sigma_t, sigma_s = medium.sigma_t, medium.sigma_s
     t = rng.exponential(1.0 / sigma_t[rng.integers(sigma_t.size, size=n)])
     surface = t >= medium.length
     beam = np.exp(-np.minimum(t, medium.length)[:, None] * sigma_t)

@@ -1,5 +1,7 @@
 //! What the proofs share: the shipped cases, and a run of them.
 
+pub mod tools;
+
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::collect::{Stopped, Watch, collect};
 use freepath_harness::decide::{Decision, Stage, adjust, decide, suspect};
@@ -116,4 +118,34 @@ pub fn judgement(subject: &Subject, seed: u64) -> Judgement {
     let of = |i: usize| stages.get(i).map(|judged| Stage { judged, adjusted: &adjusted[i] });
     let decision = of(0).map(|first| decide(first, of(1))).unwrap_or_else(|| panic!("there is a first stage"));
     Judgement { decision, stages }
+}
+
+/// Says which tests of the workspace are left out for want of a tool, in the last lines of `cargo test`.
+///
+/// Those lines belong to the examples of documentation, of which this is the last, and what an example prints is kept back if
+/// it passes. So it is written to where the program that runs the examples writes its own messages, if the system shows that.
+///
+/// ```standalone_crate
+/// freepath_tests::say_what_is_left_out();
+/// ```
+pub fn say_what_is_left_out() {
+    let lines: String = tools::left_out().into_iter().map(|line| line + "\n").collect();
+    if lines.is_empty() {
+        return;
+    }
+    let beyond = format!("/proc/{}/fd/2", parent());
+    let told = std::fs::OpenOptions::new().append(true).open(beyond);
+    if !told.is_ok_and(|mut out| std::io::Write::write_all(&mut out, format!("\n{lines}").as_bytes()).is_ok()) {
+        eprint!("{lines}");
+    }
+}
+
+#[cfg(unix)]
+fn parent() -> u32 {
+    std::os::unix::process::parent_id()
+}
+
+#[cfg(not(unix))]
+fn parent() -> u32 {
+    0
 }

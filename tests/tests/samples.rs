@@ -91,11 +91,15 @@ fn every_row_counts_whatever_its_stage() {
     for row in [0, 30_000, 30_001, 90_000] {
         with(row, f64::NAN);
         fails(Reason::NonFinite, &folder, FREE_PATH);
-        with(row, LENGTH * (1.0 + 1e-9));
-        fails(Reason::OutOfSupport, &folder, FREE_PATH);
+        for outside in [LENGTH * (1.0 + 1e-9), -1e-9, f64::NEG_INFINITY] {
+            with(row, outside);
+            fails(Reason::OutOfSupport, &folder, FREE_PATH);
+        }
     }
-    put_f64(&folder, "t.f64", &[f64::NAN; 50]);
-    fails(Reason::NonFinite, &folder, FREE_PATH);
+    for n in [1, 50, 40_000] {
+        put_f64(&folder, "t.f64", &vec![f64::NAN; n]);
+        fails(Reason::NonFinite, &folder, FREE_PATH);
+    }
 }
 
 #[test]

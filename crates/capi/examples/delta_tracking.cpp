@@ -42,6 +42,8 @@ double ratio_tracking(void *, const fp_medium *medium, fp_rng *rng) {
     }
 }
 
+double throwing(void *, const fp_medium *, fp_rng *) { throw 1; }
+
 bool says(const char *name, fp_verdict verdict, fp_verdict expected, const char *message) {
     std::printf("%s %s\n%s\n", verdict == expected ? "ok" : "NO", name, message);
     return verdict == expected;
@@ -59,5 +61,8 @@ int main() {
     all &= says("ratio tracking", verdict, FP_PASS, message);
     verdict = fp_check_free_path(medium, delta_tracking, &wrong, nullptr, message, sizeof message);
     all &= says("delta tracking with a stale look-up must fail", verdict, FP_FAIL, message);
+    // an exception must not cross the border: it becomes NaN
+    verdict = fp_check_free_path(medium, fp_caught<throwing>, nullptr, nullptr, message, sizeof message);
+    all &= says("a function that throws must fail", verdict, FP_FAIL, message);
     return all ? 0 : 1;
 }

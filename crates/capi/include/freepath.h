@@ -3,6 +3,7 @@
 #ifndef FREEPATH_H
 #define FREEPATH_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -35,7 +36,7 @@ typedef struct fp_options {
   double tolerance;
   // Bits of the uniforms that the sampler makes of its own, 24 for single precision; 53 by default.
   uint32_t resolution_bits;
-  // Threads that may call the callback at a time; 1 by default. The verdict does not depend on it.
+  // Threads that may call the callback at a time, at most 1024; 1 by default. The verdict does not depend on it.
   uint32_t threads;
   // Whether the callback claims that no look-up exceeds the majorant, as delta tracking must and ratio tracking need not;
   // true by default.
@@ -44,7 +45,7 @@ typedef struct fp_options {
 
 // Draws one number: a free path (infinity for an escape), or an estimate of the transmittance.
 //
-// It must not throw, and must not keep `medium` or `rng` after it returns. `user` is what was handed to the check.
+// It must not throw (`fp_caught` makes NaN of an exception), and must not keep `medium` or `rng` after it returns. `user` is what was handed to the check.
 typedef double (*fp_sample)(void *user, const struct fp_medium *medium, struct fp_rng *rng);
 
 #ifdef __cplusplus
@@ -135,3 +136,17 @@ uint64_t fp_word(struct fp_rng *rng);
 #endif  // __cplusplus
 
 #endif  /* FREEPATH_H */
+
+#if defined(__cplusplus) && !defined(FREEPATH_CAUGHT)
+#define FREEPATH_CAUGHT
+// A callback from a function that may throw: an exception becomes NaN, and so the reason `non_finite`. C++17:
+// `fp_check_free_path(medium, fp_caught<sample>, ..)`.
+template <auto sample>
+double fp_caught(void *user, const fp_medium *medium, fp_rng *rng) noexcept {
+    try {
+        return sample(user, medium, rng);
+    } catch (...) {
+        return NAN;
+    }
+}
+#endif

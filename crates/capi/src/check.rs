@@ -38,7 +38,7 @@ pub struct fp_options {
     pub tolerance: f64,
     /// Bits of the uniforms that the sampler makes of its own, 24 for single precision; 53 by default.
     pub resolution_bits: u32,
-    /// Threads that may call the callback at a time; 1 by default. The verdict does not depend on it.
+    /// Threads that may call the callback at a time, at most 1024; 1 by default. The verdict does not depend on it.
     pub threads: u32,
     /// Whether the callback claims that no look-up exceeds the majorant, as delta tracking must and ratio tracking need not;
     /// true by default.
@@ -131,7 +131,7 @@ fn judge(
     require(options.draws >= 1 && options.draws <= 1_000_000_000_000, "draws", "1 to 1e12")?;
     require(options.tolerance >= 0.0 && options.tolerance <= 1.0, "tolerance", "0 to 1")?;
     require((8..=53).contains(&options.resolution_bits), "resolution_bits", "8 to 53")?;
-    require(options.threads >= 1, "threads", "at least 1")?;
+    require((1..=1024).contains(&options.threads), "threads", "1 to 1024")?;
     let text = format!(
         r#"{{ "title": "C", "medium": {medium}, "subjects": [ {{ "free_path": {{ "exact": {{}} }} }} ] }}"#
     );

@@ -16,6 +16,6 @@ pub use rng::{fp_rng, fp_uniform, fp_word};
 
 /// Draws one number: a free path (infinity for an escape), or an estimate of the transmittance.
 ///
-/// It must not throw, and must not keep `medium` or `rng` after it returns. `user` is what was handed to the check.
+/// It must not throw (`fp_caught` makes NaN of an exception), and must not keep `medium` or `rng` after it returns. `user` is what was handed to the check.
 pub type fp_sample =
     Option<unsafe extern "C" fn(user: *mut std::ffi::c_void, medium: *const fp_medium, rng: *mut fp_rng) -> f64>;

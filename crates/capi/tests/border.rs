@@ -92,6 +92,56 @@ fn nan_and_collisions_beyond_the_ray_are_verdicts() {
 }
 
 #[test]
+fn a_callback_that_looks_nothing_up_is_judged_by_its_draws() {
+    const SLAB: &str = r#"{"constant": {"mu": 1.5, "length": 2.0}}"#;
+    unsafe extern "C" fn known(user: *mut c_void, _: *const fp_medium, rng: *mut fp_rng) -> f64 {
+        // SAFETY: it came with the callback.
+        let t = -(-unsafe { fp_uniform(rng) }).ln_1p() / if user.is_null() { 1.5 } else { 1.4 };
+        if t < 2.0 { t } else { f64::INFINITY }
+    }
+    unsafe extern "C" fn fixed(_: *mut c_void, _: *const fp_medium, _: *mut fp_rng) -> f64 {
+        0.5
+    }
+    unsafe extern "C" fn escapes(_: *mut c_void, _: *const fp_medium, _: *mut fp_rng) -> f64 {
+        f64::INFINITY
+    }
+    unsafe extern "C" fn negative(_: *mut c_void, _: *const fp_medium, rng: *mut fp_rng) -> f64 {
+        // SAFETY: it came with the callback.
+        -1e-3 - unsafe { fp_uniform(rng) }
+    }
+    assert_eq!(judged(SLAB, Some(known), &options()).0, fp_verdict::FP_PASS);
+    let samplers: [(fp_sample, &str); 3] =
+        [(Some(fixed), "dependent"), (Some(escapes), "wrong_law"), (Some(negative), "out_of_support")];
+    for (sample, reason) in samplers {
+        let (verdict, text) = judged(SLAB, sample, &options());
+        assert!(verdict == fp_verdict::FP_FAIL && text.contains(reason), "{reason}: {text}");
+    }
+}
+
+#[test]
+fn an_infinite_estimate_is_a_verdict() {
+    let (medium, mut message) = (CString::new(MEDIUM).unwrap(), [1; 4000]);
+    let sample: fp_sample = Some(infinite);
+    unsafe extern "C" fn infinite(_: *mut c_void, _: *const fp_medium, _: *mut fp_rng) -> f64 {
+        f64::INFINITY
+    }
+    // SAFETY: every pointer is valid.
+    let verdict = unsafe {
+        fp_check_transmittance(
+            medium.as_ptr(),
+            sample,
+            null_mut(),
+            &options(),
+            message.as_mut_ptr(),
+            message.len(),
+        )
+    };
+    // SAFETY: a message is always ended.
+    let text = unsafe { CStr::from_ptr(message.as_ptr()) }.to_str().unwrap();
+    assert!(verdict == fp_verdict::FP_FAIL && text.contains("non_finite"), "{text}");
+}
+
+#[test]
 fn a_callback_that_goes_on_for_ever_is_stopped_by_its_budget() {
     let (verdict, text) = judged(MEDIUM, Some(endless), &fp_options { draws: 1, ..options() });
     assert_eq!(verdict, fp_verdict::FP_FAIL);
@@ -136,7 +186,9 @@ fn what_cannot_be_used_is_said() {
     unusable(MEDIUM, fp_options { draws: 0, ..options() }, "draws must be 1 to 1e12");
     unusable(MEDIUM, fp_options { tolerance: f64::NAN, ..options() }, "tolerance must be 0 to 1");
     unusable(MEDIUM, fp_options { resolution_bits: 7, ..options() }, "resolution_bits must be 8 to 53");
-    unusable(MEDIUM, fp_options { threads: 0, ..options() }, "threads must be at least 1");
+    for threads in [0, 1025, u32::MAX] {
+        unusable(MEDIUM, fp_options { threads, ..options() }, "threads must be 1 to 1024");
+    }
 }
 
 #[test]

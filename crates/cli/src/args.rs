@@ -150,7 +150,7 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", value_parser = number::draws)]
     pub(crate) draws: Option<u64>,
     /// Samples may be off by so much in every claim [default: the case's, else 6e-8 if they are float32, else 0].
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
     #[arg(long, value_name = "N")]

@@ -64,6 +64,19 @@ impl From<io::Error> for Refusal {
     }
 }
 
+/// What a file is that begins so, if it is none of those that are read.
+fn foreign(head: &[u8]) -> Option<Refusal> {
+    let known: [(&[u8], &str, &str); 5] = [
+        (b"PK\x03\x04", "a zip archive, as numpy.savez writes one", "a single array, as numpy.save writes it"),
+        (b"\x1f\x8b", "compressed by gzip", "an uncompressed file"),
+        (b"\x89HDF", "an HDF5 file", "an array, as numpy.save writes it"),
+        (b"\xff\xfe", "text in UTF-16", "text in UTF-8"),
+        (b"\xfe\xff", "text in UTF-16", "text in UTF-8"),
+    ];
+    let (_, what, allowed) = known.iter().find(|(magic, ..)| head.starts_with(magic))?;
+    Some(Refusal::new(format!("it is {what}"), *allowed))
+}
+
 /// The volume that `wanted` asks for, in the file `path`: `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran
 /// order), `.vol` of Mitsuba (version 3, f32), `.vdb` of OpenVDB (versions 222 to 224, grids of f32, whole or saved as
 /// half; with the feature `vdb`), or values without a header if their layout is stated.

@@ -98,3 +98,15 @@ fn a_table_that_cannot_be_used_is_refused_at_its_place_in_the_case() {
     let allowed = run(&folder, &["run", "cases/case.json", "--allow-paths", "--draws", "1", "--quiet"]);
     assert!(allowed.0 != 2, "{}", allowed.2);
 }
+
+#[test]
+fn rays_through_what_is_no_volume_are_refused() {
+    let folder = folder("table_rays");
+    put(&folder, "mu.csv", "0,1\n2,1\n");
+    let medium = r#"{ "table": { "file": "mu.csv", "interpolation": "linear" } }"#;
+    let rays = "\"rays\": [ { \"origin\": [0, 0, 0], \"direction\": [1, 0, 0] } ],\n \"subjects\"";
+    put(&folder, "case.json", &case(medium).replace("\"subjects\"", rays));
+    let (code, out, err) = run(&folder, &["run", "case.json"]);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("the medium table is the same along every ray") && err.contains("case.json:3:"), "{err}");
+}

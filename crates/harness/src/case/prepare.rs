@@ -9,6 +9,7 @@ use crate::subject::{DRAWS, Scene};
 use freepath_estimators::medium::{Built, ChromaticMedium};
 use freepath_estimators::random::UNIFORM_BITS;
 use freepath_estimators::{Medium, ParameterError, Under};
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -136,6 +137,7 @@ impl CaseFile {
             let place = Place {
                 folder,
                 ray,
+                asked: Cell::default(),
                 allow_paths: limits.allow_paths,
                 commands: limits.commands,
                 volumes: &volumes,
@@ -156,7 +158,12 @@ impl CaseFile {
             let path = if at == "medium" { format!("medium.{name}.{}", why.name()) } else { at.to_string() };
             self.refuse(&path, why)
         };
-        match self.case.medium.build(place).map_err(inside)? {
+        let built = self.case.medium.build(place).map_err(inside)?;
+        if place.ray.is_some() && !place.asked.get() {
+            let why = format!("the medium {name} is the same along every ray (`rays` are for a voxel_grid)");
+            return Err(self.refuse("rays", why));
+        }
+        match built {
             Built::Chromatic(medium) => Ok(World::Chromatic(medium)),
             Built::Grey(medium) => {
                 let majorants =

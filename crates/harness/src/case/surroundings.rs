@@ -1,6 +1,7 @@
 use super::{CaseError, Commands, Ray};
 use freepath_estimators::ParameterError;
 use freepath_estimators::medium::{Nodes, NodesRequest, Raw, Surroundings, Volume, VolumeRequest};
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -28,6 +29,8 @@ pub(super) type Volumes = Mutex<HashMap<Key, Arc<Volume>>>;
 pub(super) struct Place<'a> {
     pub(super) folder: &'a Path,
     pub(super) ray: Option<Ray>,
+    /// The medium has asked for the ray.
+    pub(super) asked: Cell<bool>,
     pub(super) allow_paths: bool,
     pub(super) commands: Commands,
     pub(super) volumes: &'a Volumes,
@@ -78,6 +81,7 @@ impl Surroundings for Place<'_> {
     }
 
     fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+        self.asked.set(true);
         self.ray.map(|ray| (ray.origin, ray.direction))
     }
 }

@@ -53,14 +53,14 @@ pub(super) struct Process<'a> {
 impl<'a> Start<'a> {
     /// Starts the program, which should read `request` and write so many bytes.
     pub(super) fn start(self, request: Vec<u8>, wanted: u64) -> Result<Process<'a>, Refusal> {
-        let refuse = |why: std::io::Error| Refusal::new(why.to_string(), "a program that can be started");
+        let refuse = |why: std::io::Error| Refusal::new(why.to_string(), STARTED);
         let mut command = Command::new(&self.argv[0]);
         command.args(&self.argv[1..]).current_dir(self.folder).process_group(0);
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(refuse)?;
         let (Some(stdin), Some(stdout), stderr) = (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
-            return Err(Refusal::new("it has no pipes", "a program that can be started"));
+            return Err(Refusal::new("it has no pipes", STARTED));
         };
         rustix::io::ioctl_fionbio(&stdin, true).map_err(|why| refuse(why.into()))?;
         Ok(Process {
@@ -165,7 +165,8 @@ impl Process<'_> {
         }
         let (read, wanted) = (self.read, self.wanted);
         if self.silent >= idle {
-            let cause = format!("it was silent for {} after {read} of {wanted} bytes", seconds(idle));
+            let done = if read == wanted { ": all of them, but it or what it has started goes on" } else { "" };
+            let cause = format!("it was silent for {} after {read} of {wanted} bytes{done}", seconds(idle));
             return Err(Refusal::new(cause, allowed));
         }
         if self.waited >= total {
@@ -280,6 +281,10 @@ impl Process<'_> {
         if is_text { ", which look like text" } else { "" }
     }
 }
+
+/// What can be started.
+const STARTED: &str =
+    "an executable on PATH, or from the folder of the case by a name with a /, and its interpreter";
 
 /// What standard output should be.
 const SHAPE: &str = "raw doubles, little endian, as many as the request asks for";

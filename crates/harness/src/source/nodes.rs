@@ -1,6 +1,6 @@
 //! Rows of t and mu: where a medium is given by a table.
 
-use super::npy::Header;
+use super::npy::{Header, TYPES};
 use super::samples::Format;
 use super::samples::inspect::column;
 use super::samples::table::Table;
@@ -38,7 +38,7 @@ fn text(file: File, format: Format, wanted: &NodesRequest) -> Result<Nodes, Refu
 }
 
 fn npy(mut file: File, size: u64, wanted: &NodesRequest) -> Result<Nodes, Refusal> {
-    let Header { number, width, big_endian, fortran, shape, start } = Header::read(&mut file)?;
+    let Header { number, width, big_endian, fortran, shape, start } = Header::read(&mut file, TYPES)?;
     let [rows, across] = shape[..] else {
         let cause = format!("its array has {} dimensions", shape.len());
         return Err(Refusal::new(cause, "a table has 2, [row][column]"));

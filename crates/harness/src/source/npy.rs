@@ -7,9 +7,12 @@ use super::stored::Stored;
 pub(super) use header::Header;
 use std::io::Read;
 
+/// What a volume or a table may hold.
+pub(super) const TYPES: &str = "uint8, uint16, float32 or float64, little or big endian";
+
 /// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.
 pub(super) fn volume(file: &mut dyn Read) -> Result<Stored, Refusal> {
-    let Header { number, width, big_endian, fortran, shape, start } = Header::read(file)?;
+    let Header { number, width, big_endian, fortran, shape, start } = Header::read(file, TYPES)?;
     let (shape, channels) = match *shape.as_slice() {
         [nz, ny, nx] => ([nx, ny, nz], 1),
         [nz, ny, nx, channels] => ([nx, ny, nz], channels),

@@ -1,7 +1,7 @@
 //! The header, parsed by hand: a general reader of Python literals recurses as deep as a hostile header asks it to.
 
-use super::super::Refusal;
 use super::super::stored::Number;
+use super::super::{Refusal, foreign};
 use std::io::Read;
 
 /// The longest header that is read, in bytes.
@@ -22,15 +22,15 @@ pub(in crate::source) struct Header {
 }
 
 impl Header {
-    /// Reads up to the values.
-    pub(in crate::source) fn read(file: &mut dyn Read) -> Result<Self, Refusal> {
+    /// Reads up to the values; `types` are those that are allowed, in words.
+    pub(in crate::source) fn read(file: &mut dyn Read, types: &'static str) -> Result<Self, Refusal> {
         let mut magic = [0; 8];
         file.read_exact(&mut magic).map_err(|_| not_npy())?;
         let width = match &magic {
             b"\x93NUMPY\x01\x00" => 2,
             b"\x93NUMPY\x02\x00" | b"\x93NUMPY\x03\x00" => 4,
             [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => return Err(unknown_version()),
-            _ => return Err(not_npy()),
+            other => return Err(foreign(other).unwrap_or_else(not_npy)),
         };
         let mut length = [0; 4];
         file.read_exact(&mut length[..width]).map_err(|_| broken())?;
@@ -41,7 +41,7 @@ impl Header {
         }
         let mut text = vec![0; length];
         file.read_exact(&mut text).map_err(|_| broken())?;
-        parse(&text, (magic.len() + width + length) as u64)
+        parse(&text, (magic.len() + width + length) as u64, types)
     }
 }
 
@@ -58,13 +58,24 @@ fn broken() -> Refusal {
     Refusal::new("its header is broken", allowed)
 }
 
-fn wrong_type() -> Refusal {
-    let allowed = "uint8, uint16, float32 or float64, little or big endian";
-    Refusal::new("its values are of another type", allowed)
+/// What values of a type that is not read are.
+fn wrong_type(descr: &[u8], types: &str) -> Refusal {
+    let kind = descr.iter().find(|byte| !b"<>=|".contains(byte));
+    let what = match kind {
+        Some(b'i' | b'u') => "whole numbers",
+        Some(b'b') => "truth values",
+        Some(b'f') => "floats of another width",
+        Some(b'c') => "complex",
+        Some(b'S' | b'U' | b'a') => "text",
+        Some(b'O') => "Python objects",
+        Some(b'V' | b'[') => "structures of several fields",
+        _ => "of another type",
+    };
+    Refusal::new(format!("its values are {what}"), types)
 }
 
 /// The dictionary, each key once and in any order.
-fn parse(text: &[u8], start: u64) -> Result<Header, Refusal> {
+fn parse(text: &[u8], start: u64, types: &str) -> Result<Header, Refusal> {
     let (mut descr, mut fortran, mut shape) = (None, None, None);
     let mut text = Text(text);
     text.expect(b"{")?;
@@ -72,7 +83,7 @@ fn parse(text: &[u8], start: u64) -> Result<Header, Refusal> {
         let key = text.string()?;
         text.expect(b":")?;
         let first = match key {
-            b"descr" => descr.replace(text.number_type()?).is_none(),
+            b"descr" => descr.replace(text.number_type(types)?).is_none(),
             b"fortran_order" => fortran.replace(text.boolean()?).is_none(),
             b"shape" => shape.replace(text.shape()?).is_none(),
             _ => false,
@@ -120,9 +131,9 @@ impl<'a> Text<'a> {
     }
 
     /// Kind, width and whether big endian, from a string such as `<f4`.
-    fn number_type(&mut self) -> Result<(Number, usize, bool), Refusal> {
+    fn number_type(&mut self, types: &str) -> Result<(Number, usize, bool), Refusal> {
         if self.peek() == Some(b'[') {
-            return Err(wrong_type()); // a structure
+            return Err(wrong_type(b"[", types));
         }
         let (number, width, big_endian) = match self.string()? {
             b"|u1" | b"<u1" | b">u1" => (Number::Unsigned, 1, false),
@@ -132,7 +143,7 @@ impl<'a> Text<'a> {
             b">f4" => (Number::Float, 4, true),
             b"<f8" => (Number::Float, 8, false),
             b">f8" => (Number::Float, 8, true),
-            _ => return Err(wrong_type()),
+            other => return Err(wrong_type(other, types)),
         };
         Ok((number, width, big_endian))
     }
@@ -173,12 +184,14 @@ mod tests {
 
     fn read(version: &[u8], length: &[u8], text: &str) -> Result<Header, Refusal> {
         let bytes = [b"\x93NUMPY", version, length, text.as_bytes()].concat();
-        Header::read(&mut bytes.as_slice())
+        Header::read(&mut bytes.as_slice(), TYPES)
     }
 
     fn parsed(text: &str) -> Result<Header, Refusal> {
-        parse(text.as_bytes(), 0)
+        parse(text.as_bytes(), 0, TYPES)
     }
+
+    const TYPES: &str = "a type that is read";
 
     const GOOD: &str = "{'descr': '>f4', 'fortran_order': False, 'shape': (24, 96, 128), }  \n";
 
@@ -197,10 +210,39 @@ mod tests {
     }
 
     #[test]
-    fn other_types_are_refused() {
-        for descr in ["'<i8'", "'<c16'", "'|O'", "'|S9'", "'<f2'", "'f4'", "''", "[('x', '<f4')]", "[[[[["] {
+    fn other_types_are_refused_by_name() {
+        for (descr, what) in [
+            ("'<i8'", "whole numbers"),
+            ("'<u4'", "whole numbers"),
+            ("'|b1'", "truth values"),
+            ("'<f2'", "floats of another width"),
+            ("'<f16'", "floats of another width"),
+            ("'<c16'", "complex"),
+            ("'|S9'", "text"),
+            ("'<U1'", "text"),
+            ("'|O'", "Python objects"),
+            ("'|V9'", "structures of several fields"),
+            ("[('x', '<f4')]", "structures of several fields"),
+            ("[[[[[", "structures of several fields"),
+            ("'f4'", "floats of another width"),
+            ("'<M8[s]'", "of another type"),
+            ("''", "of another type"),
+        ] {
             let changed = GOOD.replace("'>f4'", descr);
-            assert_eq!(parsed(&changed), Err(wrong_type()), "{descr}");
+            assert_eq!(parsed(&changed), Err(Refusal::new(format!("its values are {what}"), TYPES)), "{descr}");
+        }
+    }
+
+    #[test]
+    fn other_files_are_told_by_their_beginning() {
+        for (bytes, what) in [
+            (b"PK\x03\x04 and more".as_slice(), "it is a zip archive, as numpy.savez writes one"),
+            (b"\x1f\x8b\x08 and more", "it is compressed by gzip"),
+            (b"\x89HDF\r\n and more", "it is an HDF5 file"),
+            (b"0.5\n0.7\n0.9\n", "it is not a .npy file"),
+            (b"PK", "it is not a .npy file"),
+        ] {
+            assert_eq!(Header::read(&mut &*bytes, TYPES).unwrap_err().cause, what);
         }
     }
 

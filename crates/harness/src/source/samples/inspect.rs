@@ -16,6 +16,9 @@ use std::sync::Mutex;
 /// The most numbers in a row.
 const MOST_ACROSS: u64 = 4096;
 
+/// What an array of samples may hold.
+const TYPES: &str = "float32 or float64, little or big endian";
+
 /// How the rows are written, and which columns are wanted.
 #[derive(Clone, Debug)]
 pub(super) enum Layout {
@@ -106,8 +109,12 @@ fn format(path: &Path, request: &Request) -> Result<Format, Refusal> {
         Some("txt") => Some(Format::Txt),
         _ => None,
     };
-    let unknown =
-        || Refusal::new("its name does not tell its format", ".npy, .csv, .txt or .f64, or a stated `format`");
+    let unknown = || {
+        Refusal::new(
+            "its name does not tell its format",
+            ".npy, .csv, .txt or .f64, not compressed, or a stated `format`",
+        )
+    };
     request.format.or(told).ok_or_else(unknown)
 }
 
@@ -131,7 +138,7 @@ impl Begun {
 
 fn begin(mut input: Box<dyn Read + Send>, format: Format, request: &Request) -> Result<Begun, Refusal> {
     let (layout, rows) = match format {
-        Format::Npy => npy(&Header::read(&mut input)?, request)?,
+        Format::Npy => npy(&Header::read(&mut input, TYPES)?, request)?,
         Format::F64 => {
             let across = if request.kind == SampleKind::Chromatic { 2 + request.channels } else { 1 };
             let (wanted, _) = columns(&[], across, request)?;
@@ -158,10 +165,11 @@ fn npy(header: &Header, request: &Request) -> Result<(Layout, Option<u64>), Refu
         _ => return wrong(format!("its array has {} dimensions", header.shape.len())),
     };
     if header.number != Number::Float {
-        return Err(Refusal::new("its values are whole numbers", "float32 or float64"));
+        return Err(Refusal::new("its values are whole numbers", TYPES));
     }
     if across > MOST_ACROSS {
-        return Err(Refusal::new("its array has too many columns", format!("at most {MOST_ACROSS}")));
+        let allowed = format!("a row for each draw, of at most {MOST_ACROSS} columns");
+        return Err(Refusal::new("its array has too many columns", allowed));
     }
     let across = across as usize;
     let (wanted, _) = columns(&[], across, request)?;
@@ -218,12 +226,23 @@ fn columns(names: &[String], across: usize, request: &Request) -> Result<(Vec<us
 
 /// The column of this name, or of this number from 0.
 pub(in crate::source) fn column(names: &[String], across: usize, name: &str) -> Result<usize, Refusal> {
-    let named = names.iter().position(|other| other == name);
     let numbered = || name.parse().ok().filter(|&number| number < across);
-    named.or_else(numbered).ok_or_else(|| {
+    unique(names, name)?.or_else(numbered).ok_or_else(|| {
         let allowed = format!("a name of its first line, or a number from 0 to {}", across.saturating_sub(1));
         Refusal::new(format!("it has no column {name:?}"), allowed)
     })
+}
+
+/// The column of this name, if there is one.
+fn unique(names: &[String], name: &str) -> Result<Option<usize>, Refusal> {
+    let mut named = (0..names.len()).filter(|&i| names[i] == name);
+    match (named.next(), named.count()) {
+        (first, 0) => Ok(first),
+        (_, more) => {
+            let cause = format!("it has {} columns {name:?}", more + 1);
+            Err(Refusal::new(cause, "different names, or a number from 0"))
+        }
+    }
 }
 
 /// The columns t, event, w0, w1 and so on: by name, or else in this order.
@@ -245,7 +264,7 @@ fn chromatic(names: &[String], across: usize, channels: usize) -> Result<Vec<usi
     }
     let of = |name: &String| {
         let missing = || Refusal::new(format!("it has no column {name:?}"), allowed.clone());
-        names.iter().position(|other| other == name).ok_or_else(missing)
+        unique(names, name)?.ok_or_else(missing)
     };
     due.iter().map(of).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::meaning::{SCATTER, SURFACE};
 use super::{Format, Refusal, Table};
+use crate::source::foreign;
 use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
 use std::io::{BufRead, BufReader, Read};
 
@@ -93,7 +94,10 @@ impl Text {
             csv.delimiter(b' ').comment(Some(b'#'));
         }
         let row = Row { bytes: vec![0; MOST_BYTES], ends: vec![0; MOST_COLUMNS], fields: 0, line: 0 };
-        let input = BufReader::with_capacity(1 << 16, input);
+        let mut input = BufReader::with_capacity(1 << 16, input);
+        if let Some(refusal) = foreign(input.fill_buf()?) {
+            return Err(refusal);
+        }
         let (wanted, event) = (Vec::new(), None);
         let mut text = Self { input, csv: csv.build(), blanks, row, pending: false, across: 0, wanted, event };
         if !text.next()? {
@@ -164,7 +168,8 @@ impl Text {
         let value = number(field).or_else(|| event.filter(|_| self.event == Some(k)));
         value.ok_or_else(|| {
             let cause = format!("line {}, column {} is not a number", self.row.line, column + 1);
-            Refusal::new(cause, "such as 1.25e-3, inf or nan")
+            let separated = if self.blanks { "blanks" } else { "commas" };
+            Refusal::new(cause, format!("such as 1.25e-3, inf or nan; columns are separated by {separated}"))
         })
     }
 }

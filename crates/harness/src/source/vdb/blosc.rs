@@ -124,6 +124,14 @@ mod tests {
     }
 
     #[test]
+    fn blocks_lie_where_the_chunk_says_and_the_last_may_be_short() {
+        let (last, first) = ([3, 0, 0, 0, 5, 6, 7], [4, 0, 0, 0, 1, 2, 3, 4]);
+        let words = [7, 4, 39, 31, 24].map(u32::to_le_bytes); // length, size of a block, packed length, two places
+        let chunk = [&[2, 1, LZ4 << 5 | WHOLE, 1], words.as_flattened(), &last, &first].concat();
+        assert_eq!(unpacked(&chunk, 7), Ok(vec![1, 2, 3, 4, 5, 6, 7]));
+    }
+
+    #[test]
     fn other_codecs_are_refused_by_name() {
         for (bits, name) in [(0, "BloscLZ"), (2, "Snappy"), (3, "Zlib"), (4, "Zstd"), (7, "an unknown codec")] {
             let refused = unpacked(&chunk(bits << 5, 4, &[&[0; 8]]), 8).unwrap_err();

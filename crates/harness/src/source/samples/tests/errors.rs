@@ -27,8 +27,11 @@ fn arrays_that_are_no_samples_are_refused() {
         ("a.npy", b"secret", &draws, "it is not a .npy file"),
         ("b.npy", &npy("<f8", "(2,)", &two)[..40], &draws, "its header is broken"),
         ("c.npy", &long, &draws, "its header is too long"),
-        ("d.npy", &npy("<i8", "(2,)", &two), &draws, "of another type"),
-        ("e.npy", &npy("<u2", "(8,)", &two), &draws, "whole numbers (float32 or float64)"),
+        ("d.npy", &npy("<i8", "(2,)", &two), &draws, "whole numbers (float32 or float64, little or big endian)"),
+        ("e.npy", &npy("<u2", "(8,)", &two), &draws, "whole numbers (float32 or float64, little or big endian)"),
+        ("e2.npy", &npy("<f2", "(8,)", &two), &draws, "floats of another width (float32 or float64"),
+        ("e3.npy", b"PK\x03\x04secret", &draws, "it is a zip archive, as numpy.savez writes one (a single array"),
+        ("e4.npy", b"\x1f\x8b\x08secret", &draws, "it is compressed by gzip (an uncompressed file)"),
         ("f.npy", &npy("<f8", "(1, 1, 2)", &two), &draws, "its array has 3 dimensions"),
         ("g.npy", &npy("<f8", "()", &two), &draws, "its array has 0 dimensions"),
         ("h.npy", &npy("<f8", "(1, 2)", &two), &draws, "it has 2 columns (one, or a stated `column`)"),
@@ -100,8 +103,26 @@ fn text_that_is_no_table_of_numbers_is_refused_at_its_place() {
         ("p.csv", b"t,event,w0,w1\n1,2,3,4\n", &table, "the event of row 1 is not known"),
         ("q.csv", b"t,event,w0,w1\n1,secret,3,4\n", &table, "line 2, column 2 is not a number"),
         ("r.csv", b"scatter\n0.5\nscatter\n", &draws, "line 3, column 1"),
-        ("s.csv", b"\xff\xfe\n\xff\n", &draws, "line 2, column 1"),
+        ("s.csv", b"\xff\n\xff\n", &draws, "line 2, column 1"),
         ("t.dat", b"0.5\n", &draws, "its name does not tell its format"),
+        ("t.npy.gz", b"\x1f\x8b\x08", &draws, ".f64, not compressed, or a stated `format`)"),
+    ]);
+}
+
+/// Fortran's exponents, other separators, compressed or in another alphabet.
+#[test]
+fn text_of_other_customs_is_refused_in_words() {
+    let (draws, table) = (request(), chromatic());
+    let named = Request { column: Some("x"), ..request() };
+    refused(&[
+        ("u.csv", b"\xff\xfet\0\n\x000\0", &draws, "it is text in UTF-16 (text in UTF-8)"),
+        ("v.csv", b"\x1f\x8b\x08secret", &draws, "it is compressed by gzip"),
+        ("w.csv", b"t\n1.5D-3\n", &draws, "line 2, column 1 is not a number (such as 1.25e-3"),
+        ("x.csv", b"t;w\n0.5;1\n", &draws, "columns are separated by commas)"),
+        ("x.txt", b"0.5,1\n0.5,1\n", &draws, "columns are separated by blanks)"),
+        ("y.csv", b"t\n0,5\n", &draws, "line 2 has another number of columns, 2"),
+        ("z.csv", b"x,x\n1,2\n", &named, "it has 2 columns \"x\" (different names, or a number from 0)"),
+        ("z2.csv", b"t,event,w0,w1,w1\n1,0,1,1,1\n", &table, "it has 2 columns \"w1\""),
     ]);
 }
 
@@ -148,4 +169,24 @@ fn an_unknown_event_in_an_array_is_told_with_its_row() {
     let file = open("a.npy", &table, &chromatic()).unwrap();
     assert!(blocks(&file, 0..1).is_ok());
     assert!(blocks(&file, 1..2).unwrap_err().contains("the event of row 2 is not known"));
+}
+
+/// What other programs write, and is right: marks of the byte order, either end of lines, quotes, words for infinity.
+#[test]
+fn text_of_other_programs_is_read() {
+    let second = Request { column: Some("t"), ..request() };
+    for (name, bytes, request) in [
+        ("a.csv", b"\xef\xbb\xbft\n0.5\ninf\n1.5\n".as_slice(), &second),
+        ("b.csv", b"\xef\xbb\xbf0.5\ninf\n1.5\n", &request()),
+        ("c.csv", b"t\r\n0.5\r\nInfinity\r\n1.5\r\n", &second),
+        ("d.csv", b"t\r0.5\r+INF\r1.5\r", &second),
+        ("e.csv", b"\"i\",\"t\"\n\"0\",\"0.5\"\n1,\" inf \"\n2,+1.5E0", &second),
+        ("f.csv", b",t,\n0,5e-1,\n1,infinity,\n2,1.5,\n", &second),
+        ("g.txt", b"# by hand\n i \t t\n 0\t0.5 \n1   INF\n\n2 1.5", &second),
+    ] {
+        let file = open(name, bytes, request).unwrap_or_else(|why| panic!("{why}"));
+        let read: Vec<Draws> = [blocks(&file, 0..1).unwrap(), blocks(&file, 1..2).unwrap()].concat();
+        let t: Vec<u64> = read.iter().flat_map(|draws| &draws.t[..draws.rows]).map(|t| t.to_bits()).collect();
+        assert_eq!(t, [0.5, f64::INFINITY, 1.5].map(f64::to_bits), "{name}");
+    }
 }
