@@ -32,16 +32,26 @@ fn fed(fuzzer: &Fuzzer, inputs: u64) -> (u64, BTreeSet<String>) {
     (accepted, refusals)
 }
 
+fn survives(target: &'static Target) {
+    let fuzzer = open(target);
+    let (accepted, refusals) = fed(&fuzzer, target.quick);
+    // else the inputs do not get where the mistakes are
+    assert!(accepted > 1, "{} accepts {accepted} inputs", target.name);
+    assert!(refusals.len() > 1, "{} refuses for one reason: {refusals:?}", target.name);
+}
+
 #[test]
 fn every_reader_survives() {
     let _alone = alone();
-    for target in target::all() {
-        let fuzzer = open(target);
-        let (accepted, refusals) = fed(&fuzzer, target.quick);
-        // else the inputs do not get where the mistakes are
-        assert!(accepted > 1, "{} accepts {accepted} inputs", target.name);
-        assert!(refusals.len() > 1, "{} refuses for one reason: {refusals:?}", target.name);
-    }
+    target::all().iter().for_each(|target| survives(target));
+}
+
+/// By itself, so that a build for OpenVDB alone need not repeat the rest.
+#[test]
+#[cfg(feature = "vdb")]
+fn vdb_survives() {
+    let _alone = alone();
+    survives(target::find("vdb").expect("a reader"));
 }
 
 /// `finds/NAME/` holds what was found of the reader NAME, for ever.
