@@ -43,7 +43,7 @@ fn survives(target: &'static Target) {
 #[test]
 fn every_reader_survives() {
     let _alone = alone();
-    target::all().iter().for_each(|target| survives(target));
+    target::all().iter().for_each(survives);
 }
 
 /// By itself, so that a build for OpenVDB alone need not repeat the rest.
