@@ -30,10 +30,7 @@ impl Multinomial {
         counts.iter().zip(self.mass.iter().copied()).map(term).sum()
     }
 
-    /// P(chi-square tail of the statistic <= `level`).
-    ///
-    /// The counts are drawn with probabilities that are themselves Dirichlet, so that the statistic has its mean where the tail
-    /// begins; the likelihood ratio to the multinomial is exact.
+    /// P(chi-square tail of the statistic <= `level`), by counts of which the statistic has its mean where the tail begins.
     ///
     /// # Panics
     /// If the cells are fewer than two.
@@ -41,23 +38,50 @@ impl Multinomial {
     pub fn level(&self, level: f64, seed: u64, replicates: u64) -> Tail {
         let dof = (self.mass.len() - 1) as f64;
         let begin = quantile(|x| chi_square_sf(dof, x), level);
-        let spread = begin / dof;
+        let spread = self.spread(begin / dof);
+        Tail::measure(seed, replicates, |rng| {
+            let counts = spread.counts(rng);
+            if self.statistic(&counts) >= begin { libm::exp(spread.log_ratio(&counts)) } else { 0.0 }
+        })
+    }
+
+    /// Counts whose variance is `spread > 1` times as large.
+    ///
+    /// # Panics
+    /// If a cell has no probability, or `spread` is not above 1.
+    #[must_use]
+    pub fn spread(&self, spread: f64) -> Spread<'_> {
         let total = (self.n as f64 - 1.0) / (spread - 1.0) - 1.0;
         let alpha: Vec<f64> = self.mass.iter().map(|p| total * p).collect();
-        let gammas: Vec<_> = alpha.iter().map(|&a| Gamma::new(a, 1.0).expect("a positive shape")).collect();
-        let base = libm::lgamma(self.n as f64 + total) - libm::lgamma(total);
-        let ratio = |counts: &[u64]| {
-            let cell = |((&x, p), a): ((&u64, f64), f64)| {
-                let x = x as f64;
-                x * libm::log(p) + libm::lgamma(a) - libm::lgamma(x + a)
-            };
-            base + counts.iter().zip(self.mass.iter().copied()).zip(alpha.iter().copied()).map(cell).sum::<f64>()
+        let gammas = alpha.iter().map(|&a| Gamma::new(a, 1.0).expect("a positive shape")).collect();
+        Spread { of: self, total, alpha, gammas }
+    }
+}
+
+/// Multinomial counts with probabilities that are themselves Dirichlet.
+pub struct Spread<'a> {
+    of: &'a Multinomial,
+    total: f64,
+    alpha: Vec<f64>,
+    gammas: Vec<Gamma<f64>>,
+}
+
+impl Spread<'_> {
+    /// One set of counts.
+    pub fn counts(&self, rng: &mut impl Rng) -> Vec<u64> {
+        let shares: Vec<f64> = self.gammas.iter().map(|gamma| gamma.sample(rng)).collect();
+        counts(self.of.n, &shares, rng)
+    }
+
+    /// The logarithm of the chance of `counts` under the multinomial, over that under this law.
+    #[must_use]
+    pub fn log_ratio(&self, counts: &[u64]) -> f64 {
+        let cell = |((&x, p), a): ((&u64, f64), f64)| {
+            let x = x as f64;
+            x * libm::log(p) + libm::lgamma(a) - libm::lgamma(x + a)
         };
-        Tail::measure(seed, replicates, |rng| {
-            let shares: Vec<f64> = gammas.iter().map(|gamma| gamma.sample(rng)).collect();
-            let counts = counts(self.n, &shares, rng);
-            if self.statistic(&counts) >= begin { libm::exp(ratio(&counts)) } else { 0.0 }
-        })
+        let cells = counts.iter().zip(self.of.mass.iter().copied()).zip(self.alpha.iter().copied());
+        libm::lgamma(self.of.n as f64 + self.total) - libm::lgamma(self.total) + cells.map(cell).sum::<f64>()
     }
 }
 

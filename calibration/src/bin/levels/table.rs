@@ -64,7 +64,7 @@ pub(crate) fn print(rows: &[Row], replicates: &u64) {
 
 const INTRODUCTION: &str = "# The true levels of p-values
 
-A run holds some 1,500 p-values, so that Holm reads them near 1e-7. A p-value from a limit law is not true there unless it is
+A run holds some 6,000 p-values, so that Holm reads them near 1e-7. A p-value from a limit law is not true there unless it is
 shown to be. Each figure below is the measured probability of a p-value at or below a level, over that level: 1 is perfect, 2 is
 twice as many false alarms as promised, 0 is a test that never rejects. The error is one standard error.
 
@@ -76,6 +76,6 @@ Far tails are measured by importance sampling with exact likelihood ratios: coun
 the statistic has its mean where the tail begins; draws of a law on finitely many points with mass leaning as exp(a y + b y^2) to
 where the self-normalised mean first reaches the tail (Shao 1997); chains of draws with neighbours that attract or repel each
 other; uniform draws with too many below one of many points. Binomial, Clopper-Pearson, Poisson and empirical Bernstein p-values are
-exact or bounds, and are not here. Sums of squares lean towards one direction each, drawn at random; tables of neighbours are chains
-with Dirichlet rows.
+exact or bounds, and are not here, nor is Berk-Jones (`berk_jones check` holds its table). Sums of squares lean towards one direction
+each, drawn at random; tables of neighbours are chains with Dirichlet rows; tables of marks and of two samples have Dirichlet rows.
 ";
