@@ -1,10 +1,11 @@
 //! Draws that come in one after another: they are read by one thread at a time and folded by all.
 
-use super::{
-    BLOCK, BlockSums, Collected, FIRST_BLOCKS, Plan, Stopped, Subject, WAVE, Watch, Work, Worker, Workers,
-};
+use super::worker::{BlockSums, Worker, Workers};
+use super::{Collected, FIRST_BLOCKS, Stopped, WAVE, Watch};
 use crate::evidence::Fact;
+use crate::plan::Plan;
 use crate::samples::{Rows, SampleSource, Wanted};
+use crate::subject::{BLOCK, Subject, Work};
 use freepath_estimators::Draws;
 use rayon::prelude::*;
 use std::ops::Range;
