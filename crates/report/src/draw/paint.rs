@@ -1,7 +1,7 @@
 //! The one place that speaks to plotters: PNG.
 
 use super::font::{PER_PIXEL, register};
-use super::path::{corners, dashes};
+use super::path::{corners, dashes, simplified};
 use super::{Align, Ink, Mark, Picture, Point, Shape, Stroke};
 use crate::ReportError;
 use plotters::coord::Shift;
@@ -11,6 +11,12 @@ use std::path::Path;
 
 /// Pixels of a PNG for a pixel of a picture.
 const DENSITY: f64 = 2.0;
+
+/// Parts of a pixel of a PNG in which lines are simplified, and by how many of them at the most: plotters rounds corners to
+/// pixels, which shows as a wobble where they are close.
+const PARTS: f64 = 16.0;
+const MOST: f64 = 8.0;
+
 /// Writes `picture` as a PNG file; `path` must end in `.png`.
 pub(crate) fn png(picture: &Picture, path: &Path) -> Result<(), ReportError> {
     if !register() {
@@ -44,18 +50,18 @@ impl<B: DrawingBackend> Painter<B> {
         }
     }
 
-    fn at(&self, (x, y): Point) -> (i32, i32) {
-        // Every point lies in the picture; what does not is held near it.
-        let whole = |v: f64| libm::round((v * DENSITY).clamp(-1e4, 1e5)) as i32;
-        (whole(x), whole(y))
+    fn at(&self, point: Point) -> (i32, i32) {
+        near(point, DENSITY)
     }
 
     fn line(&self, points: &[Point], stroke: Stroke) -> Result<(), ReportError> {
         let style = color(stroke.ink).stroke_width(libm::round(stroke.width * DENSITY) as u32);
         let pieces = if stroke.dashed { dashes(points) } else { vec![points.to_vec()] };
         for piece in pieces {
-            let path = corners(piece.into_iter().map(|p| self.at(p)));
-            self.area.draw(&PathElement::new(path, style)).map_err(failed)?;
+            let fine: Vec<_> = piece.into_iter().map(|p| near(p, DENSITY * PARTS)).collect();
+            let whole = |v: i32| libm::round(f64::from(v) / PARTS) as i32;
+            let path = simplified(&fine, MOST).into_iter().map(|(x, y)| (whole(x), whole(y)));
+            self.area.draw(&PathElement::new(corners(path), style)).map_err(failed)?;
         }
         Ok(())
     }
@@ -94,6 +100,12 @@ impl<B: DrawingBackend> Painter<B> {
         let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
         self.area.draw(&Text::new(text, self.at(at), style)).map_err(failed)
     }
+}
+
+/// So many units a pixel of the picture. Every point lies in the picture; what does not is held near it.
+fn near((x, y): Point, units: f64) -> (i32, i32) {
+    let whole = |v: f64| libm::round(v.clamp(-5e3, 5e4) * units) as i32;
+    (whole(x), whole(y))
 }
 
 fn color(ink: Ink) -> RGBColor {
