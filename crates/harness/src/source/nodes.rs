@@ -2,7 +2,7 @@
 
 use super::npy::{Header, TYPES};
 use super::samples::Format;
-use super::samples::inspect::column;
+use super::samples::inspect::{column, unique};
 use super::samples::table::Table;
 use super::samples::text::Text;
 use super::stored::Stored;
@@ -71,7 +71,7 @@ fn columns(names: &[String], across: usize, wanted: &NodesRequest) -> Result<[us
             0 => Refusal::new(format!("it has {across} columns"), "two, t and mu, or a stated `mu`"),
             _ => Refusal::new(format!("it has no column {name:?}"), format!("that name, or a stated `{name}`")),
         };
-        let place = if names.is_empty() { place } else { names.iter().position(|other| other == name) };
+        let place = if names.is_empty() { place } else { unique(names, name)? };
         place.ok_or_else(missing)
     };
     let t = match wanted.t {

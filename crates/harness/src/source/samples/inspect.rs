@@ -234,7 +234,7 @@ pub(in crate::source) fn column(names: &[String], across: usize, name: &str) -> 
 }
 
 /// The column of this name, if there is one.
-fn unique(names: &[String], name: &str) -> Result<Option<usize>, Refusal> {
+pub(in crate::source) fn unique(names: &[String], name: &str) -> Result<Option<usize>, Refusal> {
     let mut named = (0..names.len()).filter(|&i| names[i] == name);
     match (named.next(), named.count()) {
         (first, 0) => Ok(first),

@@ -57,6 +57,7 @@ fn text_that_is_no_table_is_refused() {
         ("j.csv", b"0,1\n1,secret\n", &LINEAR, "line 2, column 2 is not a number"),
         ("k.csv", b"0,1\n1\n", &LINEAR, "line 2 has another number of columns, 1 (2 as in the first line)"),
         ("l.csv", b"t;mu\n0;1\n", &LINEAR, "it has no column \"t\""),
+        ("o.csv", b"t,mu,mu\n0,1,2\n", &LINEAR, "it has 2 columns \"mu\" (different names, or a number from 0)"),
         ("m.dat", b"0,1\n1,1\n", &LINEAR, "its name does not tell its format (.csv, .txt or .npy)"),
         ("n.f64", &[0; 32], &LINEAR, "its name does not tell its format"),
     ]);
