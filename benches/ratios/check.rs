@@ -3,7 +3,7 @@
 use crate::clock::{Contender, alternate};
 use crate::table::{delta, key};
 use crate::{floor, samples, scalar, scenes};
-use freepath_estimators::simd::{self, Isa};
+use freepath_draws::simd::{self, Isa};
 use freepath_harness::subject::BLOCK;
 
 /// The least gain of the tile engine over the scalar loop with AVX2.

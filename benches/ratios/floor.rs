@@ -1,7 +1,7 @@
 //! The least that a tentative collision can cost in a tile: two uniforms, a logarithm and a comparison.
 
-use freepath_estimators::random::{Key, LANES, Uniforms};
-use freepath_estimators::{math, simd};
+use freepath_draws::random::{LANES, Uniforms};
+use freepath_draws::{Key, math, simd};
 use std::hint::black_box;
 
 /// So many items, on the instruction set in use.

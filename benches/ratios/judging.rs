@@ -3,9 +3,10 @@
 use crate::clock::cpu;
 use crate::scenes;
 use crate::table::key;
+use freepath_draws::{Draws, Streams};
+use freepath_estimators::FreePathSampler;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Gaussian;
-use freepath_estimators::{Draws, FreePathSampler, Streams};
 use freepath_harness::collect::{Watch, collect};
 use freepath_harness::judge::{Judged, judge};
 use freepath_harness::plan::Plan;

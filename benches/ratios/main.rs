@@ -16,7 +16,7 @@ mod scalar;
 mod scenes;
 mod table;
 
-use freepath_estimators::simd::{self, Isa};
+use freepath_draws::simd::{self, Isa};
 use std::process::ExitCode;
 
 /// Rounds of `--check`: more, so that a busy minute of the machine fails nobody.

@@ -1,8 +1,8 @@
 //! Judging a file of samples against reading and summing it.
 
 use crate::clock::{cpu, median};
+use freepath_draws::{Key, random};
 use freepath_estimators::medium::Constant;
-use freepath_estimators::{Key, random};
 use freepath_harness::collect::{Watch, collect};
 use freepath_harness::judge::judge;
 use freepath_harness::plan::Plan;

@@ -23,7 +23,7 @@ pub(crate) fn sinusoid() -> Fallible<Sinusoid> {
 /// A smooth field of 128^3 voxels in the unit cube, and one oblique ray through it.
 pub(crate) fn voxels() -> Fallible<(GridRay, scalar::Voxels)> {
     let centre = |i: usize| (i as f64 + 0.5) / VOXELS as f64;
-    let wave = |waves: f64, i: usize| freepath_estimators::math::sin2pi(waves * centre(i));
+    let wave = |waves: f64, i: usize| freepath_draws::math::sin2pi(waves * centre(i));
     let value = |i: usize| {
         let [x, y, z] = [i % VOXELS, i / VOXELS % VOXELS, i / (VOXELS * VOXELS)];
         let s = 0.5 + 0.5 * wave(3.0, x) * wave(2.0, y) * wave(1.0, z);

@@ -3,14 +3,13 @@
 use crate::clock::{Contender, alternate};
 use crate::scalar::{self, Plain};
 use crate::{floor, scenes};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::chromatic::Balance;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Constant;
 use freepath_estimators::transmittance::RatioTracking;
-use freepath_estimators::{
-    ChromaticSampler, Draws, Extinction, FreePathSampler, Key, Streams, TransmittanceEstimator,
-};
+use freepath_estimators::{ChromaticSampler, Extinction, FreePathSampler, TransmittanceEstimator};
 use freepath_harness::subject::BLOCK;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::hint::black_box;

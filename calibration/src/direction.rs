@@ -45,7 +45,7 @@ mod tests {
 
     #[test]
     fn shares_have_the_mean_one() {
-        let mut rng = freepath_estimators::Key::default().rng();
+        let mut rng = freepath_draws::Key::default().rng();
         for dimensions in [3, 7, 16] {
             let mut x = vec![0.3; dimensions];
             x[0] = -4.0;

@@ -1,6 +1,6 @@
 //! The probability of a rare event from weighted replicates.
 
-use freepath_estimators::Key;
+use freepath_draws::Key;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 

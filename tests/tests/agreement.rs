@@ -1,8 +1,8 @@
 //! Agreement without a truth: it catches what depends on the setting, and keeps its level.
 
+use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::{Constant, Linear, Sinusoid};
-use freepath_estimators::random::{exponential, uniform};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_harness::agree::{Agreement, Variant, agree};
 use freepath_harness::case::Claim;

@@ -1,8 +1,8 @@
 //! What happens at the very ends of a ray, and nowhere else: Berk-Jones sees it.
 
+use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::FreePathClaims;
 use freepath_estimators::medium::Sinusoid;
-use freepath_estimators::random::{exponential, uniform};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
 use freepath_harness::subject::{Scene, Subject, Work};
 use freepath_harness::verdict::{Reason, Verdict};

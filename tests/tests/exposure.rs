@@ -1,7 +1,7 @@
 //! What the exposure score is for: an extinction that is off by one factor everywhere.
 
-use freepath_estimators::Key;
-use freepath_estimators::random::exponential;
+use freepath_draws::Key;
+use freepath_draws::random::exponential;
 use freepath_harness::law::Law;
 use freepath_harness::special::{binomial_two_sided, normal_quantile, normal_sf};
 use freepath_harness::tally::CellTally;

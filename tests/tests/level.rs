@@ -1,8 +1,8 @@
 //! Every test keeps its level, and so does a run: the short form of `freepath soak`.
 
+use freepath_draws::random::uniform;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Constant;
-use freepath_estimators::random::uniform;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::soak::{Options, SoakResults, quick, seed_of, soak};

@@ -1,10 +1,11 @@
 //! What statistics cannot see: scripted generators and identities catch their mutants, and leave right subjects alone.
 
+use freepath_draws::Streams;
+use freepath_draws::random::uniform;
 use freepath_estimators::claims::{Channel, ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::{BoxSpike, Chromatic, Constant, Gaussian, Linear, Sinusoid};
-use freepath_estimators::random::uniform;
 use freepath_estimators::{
-    ChromaticSampler, Extinction, FreePath, FreePathSampler, Majorants, Medium, Streams, TransmittanceEstimator,
+    ChromaticSampler, Extinction, FreePath, FreePathSampler, Majorants, Medium, TransmittanceEstimator,
 };
 use freepath_harness::case::Limits;
 use freepath_harness::evidence::Fact;
@@ -244,8 +245,8 @@ fn workers_with_one_seed_are_copies() {
         fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
             FreePath::at(tracking(medium, rng, |rng| -libm::log1p(-rng.random::<f64>())))
         }
-        fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut freepath_estimators::Draws) {
-            let mut rng = freepath_estimators::Key { block: 0, ..streams.key() }.rng();
+        fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut freepath_draws::Draws) {
+            let mut rng = freepath_draws::Key { block: 0, ..streams.key() }.rng();
             for row in 0..out.rows {
                 let path = self.sample(medium, &mut rng);
                 out.put(row, path.t, path.weight, path.collisions);

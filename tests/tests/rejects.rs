@@ -1,14 +1,15 @@
 //! Every test rejects something: for each name a small mutant that it must catch, through the public interface; and facts fail
 //! without any p-value.
 
+use freepath_draws::random::{exponential, uniform};
+use freepath_draws::{Draws, Streams};
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::{Channel, ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::{BoxSpike, Chromatic, Constant, Linear};
-use freepath_estimators::random::{exponential, uniform};
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{
-    ChromaticSampler, Draws, Extinction, FreePath, FreePathSampler, Medium, Streams, TransmittanceEstimator,
+    ChromaticSampler, Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator,
 };
 use freepath_harness::subject::{BLOCK, Scene, Subject, Work};
 use freepath_harness::test::NAMES;
@@ -209,7 +210,7 @@ fn laws() -> Vec<(&'static str, Reason, Judgement)> {
     let thicker = law(|_, rng| path(right(rng) / 1.02));
     let wave = law(|_, rng| {
         let u = uniform(rng);
-        let bent = u + 0.004 * freepath_estimators::math::sin2pi(3.0 * u);
+        let bent = u + 0.004 * freepath_draws::math::sin2pi(3.0 * u);
         path(-libm::log1p(-bent * (1.0 - 1e-12)) / MU)
     });
     let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));

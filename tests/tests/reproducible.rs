@@ -1,10 +1,11 @@
 //! The same seed gives the same bytes: for any number of threads, for every instruction set, and between versions.
 
+use freepath_draws::simd::{Isa, detect, limit};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::{Gaussian, Sinusoid};
-use freepath_estimators::simd::{Isa, detect, limit};
 use freepath_estimators::transmittance::RatioTracking;
-use freepath_estimators::{Draws, FreePathSampler, Key, Streams, TransmittanceEstimator};
+use freepath_estimators::{FreePathSampler, TransmittanceEstimator};
 use freepath_harness::case::{Limits, Prepared};
 use freepath_tests::{case_paths, load, parse, results};
 

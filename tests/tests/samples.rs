@@ -1,6 +1,7 @@
 //! Files of samples: right ones pass, wrong ones fail for the right reason, at any number of draws and of threads.
 
-use freepath_estimators::random::{Key, exponential, uniform};
+use freepath_draws::Key;
+use freepath_draws::random::{exponential, uniform};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::results::SubjectResult;
 use freepath_harness::special::binomial_sf;

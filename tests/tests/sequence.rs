@@ -1,8 +1,8 @@
 //! Confidence sequences hold at all numbers of draws at once: over many paths, looked at after every block, the truth is
 //! excluded at most as often as the level says.
 
-use freepath_estimators::Key;
-use freepath_estimators::random::uniform;
+use freepath_draws::Key;
+use freepath_draws::random::uniform;
 use freepath_harness::sequence::{BetaBinomial, Bets, Capitals, EmpiricalBernstein};
 use freepath_harness::special::binomial_sf;
 use freepath_harness::tally::PowerSums;

@@ -4,7 +4,7 @@ use crate::args::{Output, Sampling, When};
 use crate::progress::Bar;
 use crate::trouble::Trouble;
 use crate::{cases, files, filter, program, signal};
-use freepath_estimators::simd;
+use freepath_draws::simd;
 use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, Options, quoted};
 use std::io::{IsTerminal, stderr};

@@ -1,9 +1,8 @@
 //! Chromatic samplers: one distance for all channels, and a weight for each.
 
 use crate::claims::{Channel, ChromaticClaims};
-use crate::draws::Draws;
 use crate::parameter::ParameterError;
-use crate::random::Streams;
+use freepath_draws::{Draws, Streams};
 
 mod balance;
 mod block;

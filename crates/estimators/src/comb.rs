@@ -82,7 +82,7 @@ impl Comb {
                 *t = self.at(first + i, v());
             }
             medium.mu_tile(&t[..n], &mut mu[..n]);
-            sum.add([crate::math::sum(&mu[..n])]);
+            sum.add([freepath_draws::math::sum(&mu[..n])]);
         }
         self.h * sum.total[0]
     }

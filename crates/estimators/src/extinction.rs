@@ -1,7 +1,7 @@
 //! What a subject may see of a medium ([`Extinction`]), and the truth that it may not ([`Medium`]).
 
 use crate::majorants::Majorants;
-use crate::{quadrature, simd};
+use freepath_draws::{quadrature, simd};
 
 /// How mu behaves between two neighbouring [`Extinction::breaks`].
 #[derive(

@@ -1,11 +1,10 @@
 //! Free-path samplers.
 
 use crate::claims::FreePathClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
-use crate::random::Streams;
 use crate::woodcock::one_by_one;
+use freepath_draws::{Draws, Streams};
 
 pub(crate) mod delta_tracking;
 mod ray_marching;

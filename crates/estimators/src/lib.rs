@@ -23,26 +23,20 @@
 pub mod chromatic;
 pub mod claims;
 pub mod comb;
-pub mod draws;
 pub mod extinction;
 pub mod free_path;
 pub mod list;
 pub mod majorants;
-pub mod math;
 pub mod medium;
 pub mod parameter;
-pub mod quadrature;
-pub mod random;
-pub mod simd;
 pub mod transmittance;
 pub mod woodcock;
 
 pub use chromatic::ChromaticSampler;
-pub use draws::Draws;
 pub use extinction::{Cells, Extinction, Medium, Under};
 pub use free_path::{FreePath, FreePathSampler};
+pub use freepath_draws::{Draws, Key, Streams};
 pub use list::List;
 pub use majorants::{MajorantChoice, Majorants};
 pub use parameter::ParameterError;
-pub use random::{Key, Streams};
 pub use transmittance::TransmittanceEstimator;

@@ -1,12 +1,11 @@
 //! Transmittance estimators.
 
 use crate::claims::TransmittanceClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::FreePath;
 use crate::parameter::ParameterError;
-use crate::random::Streams;
 use crate::woodcock::one_by_one;
+use freepath_draws::{Draws, Streams};
 
 mod delta_tracking;
 mod ratio_roulette;

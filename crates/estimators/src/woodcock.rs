@@ -6,10 +6,10 @@
 //! tracking multiplies a weight, and so on. Every walk that is started is finished: nothing ever stops at a count of
 //! steps, which would favour short walks.
 
-use crate::draws::Draws;
 use crate::extinction::Extinction;
 use crate::free_path::FreePath;
-use crate::random::{Streams, exponential, uniform};
+use freepath_draws::random::{exponential, uniform};
+use freepath_draws::{Draws, Streams};
 
 mod rates;
 mod tile;

@@ -3,9 +3,10 @@
 mod laws;
 mod zoo;
 
+use freepath_draws::quadrature;
+use freepath_draws::simd::{self, Isa};
 use freepath_estimators::medium::{AnyMedium, numeric};
-use freepath_estimators::simd::{self, Isa};
-use freepath_estimators::{Cells, Extinction, MajorantChoice, Majorants, Medium, quadrature};
+use freepath_estimators::{Cells, Extinction, MajorantChoice, Majorants, Medium};
 use std::sync::Arc;
 use zoo::{chromatic, described, grey, parse, zoo};
 

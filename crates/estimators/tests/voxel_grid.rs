@@ -1,8 +1,9 @@
 //! A grid of 4 x 5 x 6 voxels with unequal neighbours, seen along rays of every kind.
 
+use freepath_draws::{quadrature, simd};
 use freepath_estimators::medium::voxel_grid::{Filter, Grid, GridRay, Rescale};
 use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
-use freepath_estimators::{Cells, Extinction, Medium, ParameterError, quadrature, simd};
+use freepath_estimators::{Cells, Extinction, Medium, ParameterError};
 use proptest::prelude::*;
 use std::sync::Arc;
 

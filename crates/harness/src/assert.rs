@@ -56,7 +56,7 @@ pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &Chromatic) {
 }
 
 fn assert_subject(subject: &Subject, caller: &Location) {
-    if let Err(why) = freepath_estimators::simd::check_environment() {
+    if let Err(why) = freepath_draws::simd::check_environment() {
         panic!("{why}");
     }
     let effort = Effort { seed: setting("FREEPATH_SEED", 1), draws: setting("FREEPATH_DRAWS", DRAWS) };

@@ -1,8 +1,9 @@
 //! Counts and checks every look-up of a subject, before anything that the subject may do with it.
 
 use crate::tally::NullTally;
-use freepath_estimators::random::Spent;
-use freepath_estimators::{Cells, Extinction, Majorants, simd};
+use freepath_draws::random::Spent;
+use freepath_draws::simd;
+use freepath_estimators::{Cells, Extinction, Majorants};
 use std::cell::{Cell, RefCell};
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use crate::plan::Plan;
 use crate::subject::{Subject, Work};
-use freepath_estimators::Key;
+use freepath_draws::Key;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};

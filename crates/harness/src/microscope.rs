@@ -21,8 +21,9 @@ use crate::sample::{Unfinished, columns, sample_from};
 use crate::special::student_t_two_sided;
 use crate::subject::{Route, Scene, Subject, Work};
 use crate::tally::PowerSums;
-use freepath_estimators::random::Script;
-use freepath_estimators::{Draws, Key, Medium, Streams};
+use freepath_draws::random::Script;
+use freepath_draws::{Draws, Key, Streams};
+use freepath_estimators::Medium;
 use rayon::prelude::*;
 
 mod net;

@@ -21,7 +21,7 @@ use crate::source::Refusal;
 use crate::source::samples::meaning::Meaning;
 use crate::source::samples::table::Table;
 use crate::subject::BLOCK;
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 use log::Log;
 use process::Process;
 use std::path::PathBuf;

@@ -23,8 +23,8 @@ use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
 use crate::subject::{Route, Scene, Subject, Work};
 use crate::verdict::Reason;
-use freepath_estimators::random::Script;
-use freepath_estimators::{Draws, Key, Streams};
+use freepath_draws::random::Script;
+use freepath_draws::{Draws, Key, Streams};
 
 mod inspect;
 mod script;

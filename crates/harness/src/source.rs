@@ -137,8 +137,9 @@ fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use freepath_draws::quadrature;
     use freepath_estimators::medium::voxel_grid::{Filter, Grid, Rescale};
-    use freepath_estimators::{Extinction, Majorants, Medium, quadrature};
+    use freepath_estimators::{Extinction, Majorants, Medium};
     use std::sync::Arc;
 
     /// A file in the folder for temporary files, removed when done.

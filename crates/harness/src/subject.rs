@@ -2,7 +2,7 @@
 
 use crate::claim::{BiasBound, Claim};
 use crate::fault::Fault;
-use freepath_estimators::random::UNIFORM_BITS;
+use freepath_draws::random::UNIFORM_BITS;
 
 pub use crate::blocks::BLOCK;
 pub use crate::scene::{Scene, Work};

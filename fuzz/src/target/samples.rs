@@ -2,7 +2,7 @@
 
 use super::volume::header_length;
 use super::{Answer, PLAIN, Reader, Target};
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 use freepath_harness::samples::{SampleKind, SampleSource, Wanted};
 use freepath_harness::source::samples::{Escape, Format, Request, SampleFile};
 use freepath_harness::subject::BLOCK;

@@ -4,7 +4,7 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
-use freepath_estimators::random::uniform;
+use freepath_draws::random::uniform;
 use freepath_harness::special::ks_two_sided;
 
 /// Points below which there may be too many or too few.

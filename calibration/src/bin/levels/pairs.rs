@@ -4,7 +4,7 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
-use freepath_estimators::random::uniform;
+use freepath_draws::random::uniform;
 use freepath_harness::special::chi_square_sf;
 use freepath_harness::tally::LagTally;
 use freepath_harness::test::pairs;

@@ -4,7 +4,7 @@ use crate::args::{Check, Kind, When};
 use crate::cmd::run::judge;
 use crate::program;
 use crate::trouble::Trouble;
-use freepath_estimators::simd;
+use freepath_draws::simd;
 use freepath_harness::case::{
     CaseError, CaseFile, ChromaticSamples, ChromaticSubject, FreePathSamples, FreePathSubject, Limits, Prepared,
     Subject, TransmittanceSamples, TransmittanceSubject,

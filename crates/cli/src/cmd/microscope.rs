@@ -12,7 +12,7 @@ use std::path::Path;
 
 /// Prints what is seen of each subject.
 pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> {
-    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
+    freepath_draws::simd::check_environment().map_err(Trouble::unusable)?;
     let limits = Limits { allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let found = cases::find(&args.paths, Path::new(""))?;
     let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;

@@ -5,7 +5,7 @@ use crate::cmd::report;
 use crate::session::{Session, prepared, repro};
 use crate::trouble::Trouble;
 use crate::{files, screen, table};
-use freepath_estimators::simd;
+use freepath_draws::simd;
 use freepath_harness::case::Prepared;
 use freepath_harness::real::Real;
 use freepath_harness::results::Timings;

@@ -17,7 +17,7 @@ const DRAWS: u64 = 16_384;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
 pub(crate) fn soak(args: &Soak, color: When) -> Result<u8, Trouble> {
-    freepath_estimators::simd::check_environment().map_err(Trouble::unusable)?;
+    freepath_draws::simd::check_environment().map_err(Trouble::unusable)?;
     let cases = prepared(args, color.colors(stderr().is_terminal()))?;
     files::open(&args.out)?;
     let cancelled = signal::cancelled()?;

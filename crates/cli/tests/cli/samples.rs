@@ -1,7 +1,8 @@
 //! `freepath check`: what it takes, says and refuses.
 
 use crate::support::{folder, freepath, put, run, told};
-use freepath_estimators::random::{Key, exponential};
+use freepath_draws::Key;
+use freepath_draws::random::exponential;
 use freepath_harness::results::Results;
 use std::fs;
 use std::io::Write;

@@ -1,7 +1,8 @@
 //! Shell scripts as programs.
 
 use crate::support::{folder, put};
-use freepath_estimators::random::{Key, exponential};
+use freepath_draws::Key;
+use freepath_draws::random::exponential;
 use std::path::Path;
 
 /// A folder with the case of these subjects, each a shell script, in a slab.

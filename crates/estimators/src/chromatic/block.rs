@@ -2,10 +2,8 @@
 
 use super::mixture;
 use crate::claims::Channel;
-use crate::draws::Draws;
-use crate::math;
-use crate::random::{LANES, ScriptedLanes, Streams, Uniforms};
-use crate::simd;
+use freepath_draws::random::{LANES, ScriptedLanes, Uniforms};
+use freepath_draws::{Draws, Streams, math, simd};
 
 type Row = [f64; LANES];
 

@@ -2,10 +2,10 @@
 
 use crate::claims::{Channel, ChromaticClaims};
 use crate::extinction::Cells;
-use crate::math;
 use crate::parameter::{self, ParameterError};
-use crate::quadrature::integrate;
-use crate::random::{exponential, uniform};
+use freepath_draws::math;
+use freepath_draws::quadrature::integrate;
+use freepath_draws::random::{exponential, uniform};
 
 /// How likely each channel is drawn: given, or all alike.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,9 +2,8 @@ use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Mixed, Probabilities};
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
-use crate::draws::Draws;
 use crate::parameter::ParameterError;
-use crate::random::Streams;
+use freepath_draws::{Draws, Streams};
 
 /// A distance from one channel drawn at random, weighted by the power heuristic of exponent 2 in the one-sample model
 /// (Veach and Guibas 1995).

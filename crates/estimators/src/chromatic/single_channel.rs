@@ -2,9 +2,8 @@ use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Probabilities};
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
-use crate::draws::Draws;
 use crate::parameter::{self, ParameterError};
-use crate::random::Streams;
+use freepath_draws::{Draws, Streams};
 
 /// A distance from one channel, divided by that channel's density alone: no heuristic.
 ///

@@ -1,10 +1,9 @@
 use crate::claims::FreePathClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::{FreePath, FreePathSampler};
-use crate::quadrature::integrate;
-use crate::random::Streams;
 use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
+use freepath_draws::quadrature::integrate;
+use freepath_draws::{Draws, Streams};
 
 /// Delta tracking: tentative collisions at the rate of the majorant, each real with probability mu / mu_bar
 /// (Woodcock et al. 1965).

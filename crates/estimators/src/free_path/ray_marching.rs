@@ -3,7 +3,7 @@ use crate::comb::{Comb, Steps};
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::{FreePath, FreePathSampler};
 use crate::parameter::ParameterError;
-use crate::random::{exponential, uniform};
+use freepath_draws::random::{exponential, uniform};
 use marched::Marched;
 
 mod marched;

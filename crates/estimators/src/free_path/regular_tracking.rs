@@ -2,7 +2,7 @@ use crate::claims::FreePathClaims;
 use crate::extinction::{Cells, Extinction, Medium};
 use crate::free_path::{FreePath, FreePathSampler};
 use crate::parameter::{self, ParameterError};
-use crate::random::exponential;
+use freepath_draws::random::exponential;
 use polynomial::{degree_points, invert};
 
 mod polynomial;

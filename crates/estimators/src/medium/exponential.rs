@@ -1,7 +1,7 @@
 use crate::extinction::{self, Extinction, Medium};
 use crate::majorants::Majorants;
-use crate::math;
 use crate::parameter::{self, ParameterError};
+use freepath_draws::math;
 
 /// An atmosphere: extinction that falls exponentially, or grows if the scale height is negative.
 ///

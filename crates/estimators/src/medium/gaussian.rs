@@ -1,7 +1,7 @@
 use crate::extinction::{Extinction, Medium};
 use crate::majorants::Majorants;
-use crate::math;
 use crate::parameter::{self, ParameterError};
+use freepath_draws::math;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 /// A Gaussian bump over a constant base.

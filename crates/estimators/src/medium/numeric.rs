@@ -3,7 +3,7 @@ use super::pieces;
 use crate::extinction::{self, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
-use crate::simd;
+use freepath_draws::simd;
 use std::sync::Arc;
 
 /// How far apart two rules of quadrature may put tau, relative to the whole.

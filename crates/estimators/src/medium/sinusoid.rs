@@ -1,7 +1,7 @@
 use crate::extinction::{self, Extinction, Medium};
 use crate::majorants::Majorants;
-use crate::math;
 use crate::parameter::{self, ParameterError};
+use freepath_draws::math;
 use std::f64::consts::{PI, TAU};
 
 /// The most periods along a ray.

@@ -1,10 +1,9 @@
 use crate::claims::TransmittanceClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::delta_tracking::{Analog, expected_lookups};
-use crate::random::Streams;
 use crate::transmittance::TransmittanceEstimator;
 use crate::woodcock::{Form, Rates, walk, walks};
+use freepath_draws::{Draws, Streams};
 
 /// Delta tracking as a transmittance estimator: whether a free path escapes (Woodcock et al. 1965).
 ///

@@ -1,9 +1,8 @@
 use crate::claims::TransmittanceClaims;
-use crate::draws::Draws;
 use crate::extinction::{Cells, Extinction, Medium};
-use crate::random::Streams;
 use crate::transmittance::TransmittanceEstimator;
 use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
+use freepath_draws::{Draws, Streams};
 
 /// Ratio tracking whose small weights play Russian roulette (pbrt's `Tr` and shadow rays; Pharr, Jakob and Humphreys).
 ///

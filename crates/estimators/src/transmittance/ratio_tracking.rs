@@ -1,10 +1,9 @@
 use crate::claims::TransmittanceClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
-use crate::quadrature::integrate_noisy;
-use crate::random::Streams;
 use crate::transmittance::TransmittanceEstimator;
 use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
+use freepath_draws::quadrature::integrate_noisy;
+use freepath_draws::{Draws, Streams};
 
 /// Ratio tracking: one minus the collision probability, multiplied over the tentative collisions of delta tracking
 /// (Novak, Selle and Jarosz 2014).

@@ -1,13 +1,11 @@
 use crate::claims::TransmittanceClaims;
 use crate::comb::{Comb, Compensated, Steps, TILE};
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
-use crate::math;
 use crate::parameter::ParameterError;
-use crate::quadrature::integrate;
-use crate::random::{LANES, ScriptedLanes, Streams, Uniforms, uniform};
-use crate::simd;
 use crate::transmittance::TransmittanceEstimator;
+use freepath_draws::quadrature::integrate;
+use freepath_draws::random::{LANES, ScriptedLanes, Uniforms, uniform};
+use freepath_draws::{Draws, Streams, math, simd};
 use std::cell::RefCell;
 use std::collections::HashMap;
 

@@ -1,13 +1,11 @@
 use crate::claims::TransmittanceClaims;
-use crate::draws::Draws;
 use crate::extinction::{Extinction, Medium};
 use crate::majorants::Majorants;
-use crate::math;
 use crate::parameter::{self, ParameterError};
-use crate::random::Streams;
 use crate::transmittance::TransmittanceEstimator;
 use crate::transmittance::ratio_tracking::{Ratio, moments};
 use crate::woodcock::{Form, Rates, walk, walks};
+use freepath_draws::{Draws, Streams, math};
 
 /// Residual ratio tracking: the transmittance of a control, corrected by ratio tracking of what is left (Novak, Selle and
 /// Jarosz 2014).

@@ -1,11 +1,9 @@
 //! The event-based tile: 256 walks in flight as a struct of arrays, moved one event at a time.
 
 use super::{Collision, CollisionRule, Form, Rates};
-use crate::draws::Draws;
 use crate::extinction::Extinction;
-use crate::math;
-use crate::random::{LANES, ScriptedLanes, Streams, Uniforms};
-use crate::simd;
+use freepath_draws::random::{LANES, ScriptedLanes, Uniforms};
+use freepath_draws::{Draws, Streams, math, simd};
 
 /// Walks in flight.
 const TILE: usize = 256;

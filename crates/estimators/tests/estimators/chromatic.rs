@@ -1,11 +1,12 @@
 //! Chromatic samplers against their own claims.
 
+use freepath_draws::random::Script;
+use freepath_draws::simd::{self, Isa};
+use freepath_draws::{Draws, Key, Streams};
+use freepath_estimators::Extinction;
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::Constant;
-use freepath_estimators::random::Script;
-use freepath_estimators::simd::{self, Isa};
-use freepath_estimators::{Draws, Extinction, Key, Streams};
 
 const ROWS: usize = 200_000;
 

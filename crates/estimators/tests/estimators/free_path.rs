@@ -1,10 +1,11 @@
 //! Free-path samplers against their own claims.
 
 use crate::media::{Counted, bump, constant, cubics, ramp, ramps, steps, zoo};
+use freepath_draws::random::{Script, exponential};
+use freepath_draws::simd::{self, Isa};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::free_path::AnyFreePath;
-use freepath_estimators::random::{Script, exponential};
-use freepath_estimators::simd::{self, Isa};
-use freepath_estimators::{Cells, Draws, Extinction, Key, Medium, Streams};
+use freepath_estimators::{Cells, Extinction, Medium};
 
 const ROWS: usize = 200_000;
 

@@ -183,8 +183,7 @@ fn the_test_media_know_their_own_truth() {
         let d = medium.length();
         for i in 1..=50 {
             let t = d * f64::from(i) / 50.0;
-            let brute =
-                freepath_estimators::quadrature::integrate(&|s| medium.mu(s), 0.0, t, medium.breaks()).value;
+            let brute = freepath_draws::quadrature::integrate(&|s| medium.mu(s), 0.0, t, medium.breaks()).value;
             assert!((medium.tau(t) - brute).abs() < 1e-12);
             let (low, high) = medium.extrema(0.0, d);
             assert!(low <= medium.mu(t) && medium.mu(t) <= high && low >= 0.0);

@@ -1,10 +1,11 @@
 //! Transmittance estimators against their own claims, and the claims against brute force.
 
 use crate::media::{Counted, bump, cubics, ramp, steps, zoo};
-use freepath_estimators::random::Script;
-use freepath_estimators::simd::{self, Isa};
+use freepath_draws::random::Script;
+use freepath_draws::simd::{self, Isa};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::transmittance::AnyTransmittance;
-use freepath_estimators::{Draws, Extinction, Key, Majorants, Medium, Streams, Under};
+use freepath_estimators::{Extinction, Majorants, Medium, Under};
 
 const ROWS: usize = 200_000;
 

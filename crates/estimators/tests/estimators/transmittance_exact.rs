@@ -2,9 +2,10 @@
 
 use crate::media::{Counted, bump, constant, ramp, zoo};
 use crate::transmittance::{all, draw, named, streams};
-use freepath_estimators::quadrature::integrate;
+use freepath_draws::Draws;
+use freepath_draws::quadrature::integrate;
 use freepath_estimators::transmittance::AnyTransmittance;
-use freepath_estimators::{Cells, Draws, Extinction, Majorants, Medium, Under};
+use freepath_estimators::{Cells, Extinction, Majorants, Medium, Under};
 
 #[test]
 fn marching_moments_agree_with_brute_force() {

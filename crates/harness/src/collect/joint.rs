@@ -3,7 +3,7 @@ use crate::plan::{LawPlan, Plan};
 use crate::sample::sample_in_parts;
 use crate::subject::Subject;
 use crate::tally::{CellTally, MarkTally, NullTally};
-use freepath_estimators::{Draws, Key};
+use freepath_draws::{Draws, Key};
 use std::cell::RefCell;
 
 /// Sets the streams of a ray in two parts apart from those of the whole.

@@ -6,7 +6,7 @@ use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::samples::{Rows, SampleSource, Wanted};
 use crate::subject::{BLOCK, Subject, Work};
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::Ordering;

@@ -4,7 +4,7 @@ use crate::sample::{columns, sample_block};
 use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject};
 use crate::tally::{CellTally, CountTally, Extremes, PowerSums, Tail};
-use freepath_estimators::{Draws, Key};
+use freepath_draws::{Draws, Key};
 use std::sync::{Mutex, PoisonError};
 
 /// The float sums of one block.

@@ -1,7 +1,8 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use crate::scene::Scene;
 use freepath_estimators::parameter::not_negative;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// Absorption is in the flight and once more in the weight (structural-color, issue 51).
 ///

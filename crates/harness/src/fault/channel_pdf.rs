@@ -1,6 +1,6 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::claims::Channel;
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 
 /// Weights are divided by the density of one channel alone, where that of the mixture is due.
 ///

@@ -1,7 +1,8 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::{finite, require};
-use freepath_estimators::random::uniform;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::random::uniform;
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// Harmless: estimates below a threshold die by roulette, and the survivors are raised.
 ///

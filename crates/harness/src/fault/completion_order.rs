@@ -1,6 +1,7 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// Draws are handed out in the order in which walks end, not in the order in which they start: short walks come first.
 ///

@@ -1,7 +1,8 @@
 use super::overlay::{Overlay, Shape, Site};
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::positive;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// A world distance becomes a ray parameter by multiplying with the length of the direction (pbrt-v3, issue 159).
 ///

@@ -1,5 +1,5 @@
 use super::{BlockPlace, Layer, Plant, Target};
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 
 /// A transparent channel is never drawn, and what it should carry is left to the rare escapes of the others (Cycles, commit
 /// 2276a98f8).

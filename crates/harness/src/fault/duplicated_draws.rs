@@ -1,7 +1,8 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::require;
-use freepath_estimators::random::uniform;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::random::uniform;
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// Now and then a draw repeats the one before it: a generator that is read twice.
 ///

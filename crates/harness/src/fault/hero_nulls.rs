@@ -1,5 +1,5 @@
 use super::{BlockPlace, Layer, Plant, Target};
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 
 /// Null collisions are chosen by the sampling channel's probability alone (Mitsuba 3, issues 1387 and 1628).
 ///

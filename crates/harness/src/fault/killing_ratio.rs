@@ -1,7 +1,7 @@
 use super::overlay::{Overlay, Site};
 use super::place::FAULT_LANE;
 use super::{Layer, Plant, Target};
-use freepath_estimators::random::uniform;
+use freepath_draws::random::uniform;
 use freepath_estimators::{Extinction, FreePath};
 use std::cell::{Cell, RefCell};
 

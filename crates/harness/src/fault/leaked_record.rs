@@ -1,5 +1,5 @@
 use super::{BlockPlace, Layer, Plant, Target};
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 
 /// The record of a history that ended with weight 0 is not reset, and leaks into the next (MCX, issue 222; pbrt-v4, commit
 /// 4ba4b4b1).

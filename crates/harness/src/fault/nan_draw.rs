@@ -1,6 +1,7 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// One walk of so many gives NaN: 0 / 0 in a rare branch.
 ///

@@ -1,6 +1,7 @@
 //! What stands between a subject and its medium or its uniforms while a block is drawn.
 
-use freepath_estimators::{Extinction, FreePath, Key, Majorants, math};
+use freepath_draws::{Key, math};
+use freepath_estimators::{Extinction, FreePath, Majorants};
 use std::cell::Cell;
 
 /// Where a fault is laid: the medium below it, and the key of the block.

@@ -1,6 +1,6 @@
 use crate::scene::{Scene, Work};
+use freepath_draws::Key;
 use freepath_estimators::ChromaticSampler;
-use freepath_estimators::Key;
 use freepath_estimators::medium::ChromaticMedium;
 
 /// Where a block of draws stands, for faults that count walks, need random numbers, or must know whose draws they are.

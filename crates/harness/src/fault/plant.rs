@@ -1,6 +1,7 @@
 use super::overlay::{Overlay, Shape, Site};
 use super::{BlockPlace, Target};
-use freepath_estimators::{Draws, Key, Majorants, Medium, ParameterError};
+use freepath_draws::{Draws, Key};
+use freepath_estimators::{Majorants, Medium, ParameterError};
 
 /// Where a fault is laid, and so how the subject must be driven.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

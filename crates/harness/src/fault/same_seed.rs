@@ -1,7 +1,7 @@
 use super::{Layer, Plant, Target};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
-use freepath_estimators::Key;
+use freepath_draws::Key;
 
 /// Workers start from one seed, and their results are copies (MCX, commit 5cc92ab; SORT, issue 35; Celeritas, issue 696).
 ///

@@ -1,6 +1,6 @@
 use super::{BlockPlace, Layer, Plant, Target};
-use freepath_estimators::Draws;
-use freepath_estimators::random::{exponential, uniform};
+use freepath_draws::Draws;
+use freepath_draws::random::{exponential, uniform};
 
 /// Escapes are weighed at the sampled optical depth instead of the medium's (Tungsten, commit 3907542).
 ///

@@ -1,7 +1,8 @@
 use super::channel_pdf::density;
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::positive;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// The density of one channel is another in the weight than in the sampling (three-gpu-pathtracer, issue 847: a ratio of
 /// 0.93).

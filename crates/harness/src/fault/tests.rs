@@ -4,7 +4,7 @@ use super::Fault;
 use crate::case::{CaseFile, Limits};
 use crate::sample::{columns, sample_block};
 use crate::subject::BLOCK;
-use freepath_estimators::{Draws, Key};
+use freepath_draws::{Draws, Key};
 use std::path::Path;
 
 const A: &str = r#"{ "constant": { "mu": 1.0, "length": 2.0 } }"#;

@@ -1,6 +1,7 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::positive;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// A transmittance below a threshold is taken for none, without roulette (instant-ngp, issue 384; gsplat, issue 541; Cycles,
 /// commit 6b34e594d).

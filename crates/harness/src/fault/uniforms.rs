@@ -1,5 +1,5 @@
 use super::overlay::Overlay;
-use freepath_estimators::random::StreamRng;
+use freepath_draws::random::StreamRng;
 use rand::{Rng, TryRng};
 use std::convert::Infallible;
 

@@ -1,7 +1,8 @@
 use super::{BlockPlace, Layer, Plant, Target};
 use freepath_estimators::parameter::positive;
-use freepath_estimators::random::uniform;
-use freepath_estimators::{Draws, ParameterError};
+use freepath_draws::random::uniform;
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
 
 /// Survivors of a roulette get a weight that was not scaled with the window, and a weight above it always survives and is
 /// cut down (OpenMC, issue 3511).

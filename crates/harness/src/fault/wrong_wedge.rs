@@ -1,6 +1,6 @@
 use super::overlay::{Overlay, Site, Walked, word_of};
 use super::{Layer, Plant, Target};
-use freepath_estimators::math;
+use freepath_draws::math;
 use std::sync::LazyLock;
 
 /// Exponentials from a ziggurat whose wedges take the height of the neighbouring layer (Rust's std, issue 10084; the method is

@@ -2,7 +2,7 @@ use super::overlay::{Overlay, Site, Walked};
 use super::{Layer, Plant, Target};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
-use freepath_estimators::random::Spent;
+use freepath_draws::random::Spent;
 
 /// A step of exactly zero is read as no step chosen, and the loop never ends (EGSnrc, issue 179).
 ///

@@ -3,7 +3,7 @@
 use crate::blocks::IDENTITIES;
 use crate::sample::{columns, sample_from};
 use crate::subject::Subject;
-use freepath_estimators::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Streams};
 
 /// Look-ups and random words for each draw at most: a dearer subject is not asked.
 const BUDGET: u64 = 20_000;

@@ -1,4 +1,4 @@
-use freepath_estimators::Key;
+use freepath_draws::Key;
 use rand::Rng;
 use sobol_burley::parts::sobol_rev;
 

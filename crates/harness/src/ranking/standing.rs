@@ -1,6 +1,6 @@
 use crate::tally::{Batch, Batches, PowerSums};
 use crate::test::{BlockLookups, larger};
-use freepath_estimators::Key;
+use freepath_draws::Key;
 use rand::RngExt;
 
 /// ln of variance times look-ups per draw, with its standard error.
@@ -102,7 +102,7 @@ fn bootstrap(groups: &[Batch]) -> f64 {
 mod tests {
     use super::*;
     use crate::tally::Tail;
-    use freepath_estimators::random::uniform;
+    use freepath_draws::random::uniform;
 
     const ROWS: usize = 1000;
 

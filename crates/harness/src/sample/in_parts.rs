@@ -2,9 +2,10 @@ use super::{Unfinished, faulty_streams, rounding, why};
 use crate::audit::{Audit, Audited};
 use crate::fault::{Faulty, Site, Wrapped};
 use crate::subject::{Scene, Subject, Work};
+use freepath_draws::random::StreamRng;
+use freepath_draws::{Key, Streams};
 use freepath_estimators::medium::segment;
-use freepath_estimators::random::StreamRng;
-use freepath_estimators::{Extinction, FreePathSampler, Key, Streams};
+use freepath_estimators::{Extinction, FreePathSampler};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A draw that does not lie on its part of the ray: no law has it in its support.

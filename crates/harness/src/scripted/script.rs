@@ -1,5 +1,5 @@
-use freepath_estimators::Key;
-use freepath_estimators::random::Script;
+use freepath_draws::Key;
+use freepath_draws::random::Script;
 use rand::Rng;
 
 /// Positions at which a scripted word stands.
@@ -70,14 +70,14 @@ impl Scripted {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_estimators::random::uniform;
+    use freepath_draws::random::uniform;
     use rand::RngExt;
 
     #[test]
     fn the_words_give_the_uniforms_of_their_names() {
         let values = [0.0, 1.0 - 2f64.powi(-53), 2f64.powi(-53), 2f64.powi(-24), 1.0 - 2f64.powi(-24)];
         for ((name, word), value) in WORDS.iter().zip(values) {
-            let streams = |prefix| freepath_estimators::Streams::new(Key::default()).scripted(prefix);
+            let streams = |prefix| freepath_draws::Streams::new(Key::default()).scripted(prefix);
             let script = || Script { prefix: vec![*word], repeat: true };
             let (of_53, of_24): (f64, f32) = (streams(script()).rng().random(), streams(script()).rng().random());
             assert_eq!(of_53.to_bits(), value.to_bits(), "{name}");

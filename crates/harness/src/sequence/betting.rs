@@ -1,4 +1,4 @@
-use freepath_estimators::simd;
+use freepath_draws::simd;
 
 /// Bets on whether a bias stays below a bound: four e-values of draws of known range (Waudby-Smith and Ramdas 2024).
 ///

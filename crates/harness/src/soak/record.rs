@@ -8,8 +8,8 @@ use crate::evidence::{Evidence, Null};
 use crate::judge::Judged;
 use crate::run::{Cancelled, Progress};
 use crate::verdict::Verdict;
-use freepath_estimators::Key;
-use freepath_estimators::random::uniform;
+use freepath_draws::Key;
+use freepath_draws::random::uniform;
 use rand::Rng;
 
 /// A p-value with the name of its test.

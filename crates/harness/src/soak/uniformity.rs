@@ -51,8 +51,8 @@ impl Row {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::uniform;
+    use freepath_draws::Key;
+    use freepath_draws::random::uniform;
 
     fn row(n: u32, law: impl Fn(f64) -> f64) -> Row {
         let (mut row, mut rng) = (Row::new(false), Key::default().rng());

@@ -3,7 +3,7 @@
 use super::{Refusal, SourceError};
 use crate::samples::{Rows, SampleKind, SampleSource, Wanted};
 use crate::subject::BLOCK;
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 use meaning::Meaning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

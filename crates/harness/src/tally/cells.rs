@@ -79,7 +79,7 @@ impl Lattice {
 pub(super) fn locate(Lattice { scale, length, last }: Lattice, t: &[f64], index: &mut Vec<u32>) {
     index.resize(t.len(), 0);
     let last = f64::from(last);
-    freepath_estimators::simd::dispatch(
+    freepath_draws::simd::dispatch(
         #[inline(always)]
         move || {
             let [escape, nowhere] = [ESCAPE, NOWHERE].map(f64::from); // here, or it does not vectorise

@@ -121,7 +121,7 @@ impl Scores {
     /// The group of each score.
     fn groups(&self, scores: &[i16], groups: &mut Vec<u8>) {
         groups.resize(scores.len(), 0);
-        freepath_estimators::simd::dispatch(
+        freepath_draws::simd::dispatch(
             #[inline(always)]
             || groups.iter_mut().zip(scores).for_each(|(group, &score)| *group = self.group(score) as u8),
         );
@@ -168,7 +168,7 @@ impl LagTally {
 
 /// The sum of products, as far as the shorter goes.
 fn dot(a: &[i16], b: &[i16]) -> i64 {
-    freepath_estimators::simd::dispatch(
+    freepath_draws::simd::dispatch(
         #[inline(always)]
         || {
             let part = |(a, b): (&[i16], &[i16])| {

@@ -1,4 +1,4 @@
-use freepath_estimators::simd;
+use freepath_draws::simd;
 
 /// Keys compared together.
 const PART: usize = 32;

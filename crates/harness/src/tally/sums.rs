@@ -1,4 +1,4 @@
-use freepath_estimators::math;
+use freepath_draws::math;
 
 /// Sums of powers of x - center over draws, with the least and greatest draw.
 ///
@@ -42,7 +42,7 @@ impl PowerSums {
     /// The sums of one column: always in the same order of additions.
     #[must_use]
     pub fn of(center: f64, column: &[f64]) -> Self {
-        freepath_estimators::simd::dispatch(
+        freepath_draws::simd::dispatch(
             #[inline(always)]
             || {
                 let mut total = Self::new(center);

@@ -63,8 +63,8 @@ fn above(largest: &[f64], m: usize) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::uniform;
+    use freepath_draws::Key;
+    use freepath_draws::random::uniform;
 
     /// Draws by inversion of their upper tail.
     fn shape(n: usize, of: impl Fn(f64) -> f64) -> Option<f64> {

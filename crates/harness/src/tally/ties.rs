@@ -1,4 +1,4 @@
-use freepath_estimators::simd;
+use freepath_draws::simd;
 
 /// Draws whose hashes are tested together, and again in quarters where one is small enough.
 const PART: usize = 32;

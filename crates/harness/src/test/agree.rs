@@ -168,8 +168,8 @@ fn bernstein_p(samples: [&PowerSums; 2], (low, high): (f64, f64), apart: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::{exponential, uniform};
+    use freepath_draws::Key;
+    use freepath_draws::random::{exponential, uniform};
 
     fn sums(block: u64, n: usize, draw: fn(f64, f64) -> f64) -> PowerSums {
         let mut rng = Key { seed: 9, subject: 1, block }.rng();

@@ -114,8 +114,8 @@ fn between(statistic: &mut BerkJones, law: &Law, tally: &CellTally, open: f64) {
 mod tests {
     use super::*;
     use crate::special::binomial_sf;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::{exponential, uniform};
+    use freepath_draws::Key;
+    use freepath_draws::random::{exponential, uniform};
     use rand::Rng;
 
     const RATE: f64 = 1.3;

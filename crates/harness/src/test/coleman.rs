@@ -94,12 +94,12 @@ fn pmf_or_none(mean: f64, rows: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_estimators::random::{exponential, uniform};
+    use freepath_draws::random::{exponential, uniform};
 
     /// Draws under a constant mu of 1 and a majorant `mu_bar`; `more` are added to the collisions of a draw that escapes.
     fn p(mu_bar: f64, more: impl Fn(f64) -> u32) -> Option<f64> {
         let law = Law::new(1.5, 0.0, |t| libm::exp(-t));
-        let (mut rng, mut t, mut collisions) = (freepath_estimators::Key::default().rng(), vec![], vec![]);
+        let (mut rng, mut t, mut collisions) = (freepath_draws::Key::default().rng(), vec![], vec![]);
         for _ in 0..60_000 {
             let (mut at, mut n) = (exponential(&mut rng) / mu_bar, 0);
             while at < 1.5 && uniform(&mut rng) * mu_bar >= 1.0 {

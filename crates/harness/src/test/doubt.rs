@@ -67,8 +67,8 @@ pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (R
 mod tests {
     use super::*;
     use crate::tally::Tail;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::uniform;
+    use freepath_draws::Key;
+    use freepath_draws::random::uniform;
 
     fn of(draws: &[f64]) -> Option<Reason> {
         let mut tail = Tail::default();

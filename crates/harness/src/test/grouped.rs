@@ -86,8 +86,8 @@ mod tests {
     use crate::special::{binomial_two_sided, ks_two_sided};
     use crate::test::{anderson_darling, cramer_von_mises, kuiper};
     use crate::verdict::Reason;
-    use freepath_estimators::Key;
-    use freepath_estimators::random::exponential;
+    use freepath_draws::Key;
+    use freepath_draws::random::exponential;
 
     const NAMES: [&str; 3] = ["anderson_darling", "cramer_von_mises", "kuiper"];
 

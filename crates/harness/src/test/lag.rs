@@ -99,9 +99,9 @@ mod tests {
     }
 
     fn uniform(n: usize) -> Vec<f64> {
-        let streams = freepath_estimators::Key::default();
+        let streams = freepath_draws::Key::default();
         let mut rng = streams.rng();
-        (0..n).map(|_| 2.0 * freepath_estimators::random::uniform(&mut rng)).collect()
+        (0..n).map(|_| 2.0 * freepath_draws::random::uniform(&mut rng)).collect()
     }
 
     #[test]

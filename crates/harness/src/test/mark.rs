@@ -58,12 +58,12 @@ mod tests {
     use super::*;
     use crate::law::Law;
     use crate::tally::{CellTally, Scores};
-    use freepath_estimators::random::uniform;
+    use freepath_draws::random::uniform;
 
     fn tally(mark: impl Fn(f64, f64) -> f64) -> MarkTally {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let (mut tally, mut index, scores) = (MarkTally::default(), Vec::new(), Scores::new(&law));
-        let mut rng = freepath_estimators::Key::default().rng();
+        let mut rng = freepath_draws::Key::default().rng();
         let mut draw = |_| {
             let (t, u) = (uniform(&mut rng), uniform(&mut rng));
             (2.0 * t, mark(t, u))

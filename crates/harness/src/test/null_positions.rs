@@ -62,14 +62,14 @@ fn joined(tally: &NullTally, least: f64) -> Vec<Group> {
 mod tests {
     use super::*;
     use crate::law::Law;
+    use freepath_draws::random::uniform;
     use freepath_estimators::Majorants;
-    use freepath_estimators::random::uniform;
 
     /// Look-ups all over the ray where mu / mu_bar = 0.3, and whether each was accepted; draws are told by cell.
     fn p(accepted: impl Fn(f64) -> f64) -> Option<f64> {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let mut tally = NullTally::new(&law);
-        let (majorants, mut rng) = (Majorants::constant(2.0, 2.0), freepath_estimators::Key::default().rng());
+        let (majorants, mut rng) = (Majorants::constant(2.0, 2.0), freepath_draws::Key::default().rng());
         for _ in 0..40_000 {
             let t = 2.0 * uniform(&mut rng);
             tally.look_ups(&majorants, &[t], &[0.6]);

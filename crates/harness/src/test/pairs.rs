@@ -73,7 +73,7 @@ mod tests {
     use super::*;
     use crate::law::Law;
     use crate::tally::{CellTally, Scores};
-    use freepath_estimators::random::uniform;
+    use freepath_draws::random::uniform;
 
     fn p(rate: f64, t: &[f64]) -> Option<f64> {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-rate * t));
@@ -85,7 +85,7 @@ mod tests {
     }
 
     fn draws(n: usize) -> Vec<f64> {
-        let mut rng = freepath_estimators::Key::default().rng();
+        let mut rng = freepath_draws::Key::default().rng();
         (0..n).map(|_| 2.0 * uniform(&mut rng)).collect()
     }
 

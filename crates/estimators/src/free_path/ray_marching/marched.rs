@@ -1,7 +1,7 @@
 use super::MarchingRule;
 use crate::comb::{Comb, Steps, TILE};
 use crate::extinction::Medium;
-use crate::quadrature::points;
+use freepath_draws::quadrature::points;
 
 /// Numbers that the table of a law may hold; with more steps the law is the medium's as far as any run can see.
 const MOST_NUMBERS: usize = 1 << 23;

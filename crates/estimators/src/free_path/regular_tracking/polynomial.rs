@@ -121,7 +121,7 @@ mod tests {
         for i in 0..1000 {
             let (whole, u) = (cubic(CUBIC.map(touching), 9.0).1, f64::from(i) / 1000.0);
             let (s, _) = cubic(CUBIC.map(touching), u * whole);
-            let back = crate::quadrature::integrate(&touching, 0.0, s, &[]).value;
+            let back = freepath_draws::quadrature::integrate(&touching, 0.0, s, &[]).value;
             assert!((back - u * whole).abs() < 1e-14, "{u}");
         }
     }

@@ -1,5 +1,5 @@
 use super::grid::{Filter, Grid};
-use crate::simd;
+use freepath_draws::simd;
 
 /// How many look-ups the three passes of a tile take together: small enough for the first cache.
 const PART: usize = 64;

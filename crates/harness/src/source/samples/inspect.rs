@@ -8,7 +8,7 @@ use super::meaning::Meaning;
 use super::text::Text;
 use super::{BLOCK, Format, Refusal, Request, SINGLE_TOLERANCE, SampleFile, Table};
 use crate::samples::SampleKind;
-use freepath_estimators::Draws;
+use freepath_draws::Draws;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;

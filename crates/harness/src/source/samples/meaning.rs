@@ -2,7 +2,7 @@
 
 use super::{Escape, Refusal, Request, Table};
 use crate::samples::SampleKind;
-use freepath_estimators::{Draws, simd};
+use freepath_draws::{Draws, simd};
 
 /// The event of a chromatic row: its t is where the light scatters.
 pub(super) const SCATTER: f64 = 0.0;

@@ -12,7 +12,7 @@ pub struct Draws {
     /// Tentative collisions of the walk.
     pub collisions: Vec<u32>,
     /// A number in [0, 1) that goes with the draw and says nothing of its distance, such as (1 + cosine) / 2 of the
-    /// direction that it started in; see [`FreePathSampler::marked`](crate::FreePathSampler::marked).
+    /// direction that it started in.
     pub mark: Vec<f64>,
     /// One column per channel: the weight of a chromatic draw.
     pub channels: Vec<Vec<f64>>,

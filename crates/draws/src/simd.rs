@@ -2,7 +2,7 @@
 
 #![expect(unsafe_code, reason = "calling a function compiled for an instruction set that was detected")]
 
-use crate::parameter::ParameterError;
+use std::fmt;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// An instruction set that the hot loops are compiled for.
@@ -55,11 +55,23 @@ fn requested() -> Isa {
 ///
 /// # Errors
 /// If it names none.
-pub fn check_environment() -> Result<Isa, ParameterError> {
+pub fn check_environment() -> Result<Isa, UnknownIsa> {
     let Ok(name) = std::env::var("FREEPATH_ISA") else { return Ok(Isa::Avx512) };
     let named = Isa::ALL.into_iter().find(|isa| isa.name() == name);
-    named.ok_or_else(|| ParameterError::new("FREEPATH_ISA", format!("{name:?}"), "baseline, avx2 or avx512"))
+    named.ok_or(UnknownIsa(name))
 }
+
+/// What `FREEPATH_ISA` says, if it is the name of no instruction set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownIsa(String);
+
+impl fmt::Display for UnknownIsa {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "FREEPATH_ISA must be baseline, avx2 or avx512, not {:?}", self.0)
+    }
+}
+
+impl std::error::Error for UnknownIsa {}
 
 /// Use at most this instruction set from now on (tests, benches). Returns what is used: never more than the CPU has.
 pub fn limit(most: Isa) -> Isa {

@@ -90,10 +90,12 @@ impl StreamRng<'_> {
 impl TryRng for StreamRng<'_> {
     type Error = Infallible;
 
+    #[inline]
     fn try_next_u32(&mut self) -> Result<u32, Infallible> {
         self.try_next_u64().map(|word| (word >> 32) as u32)
     }
 
+    #[inline]
     fn try_next_u64(&mut self) -> Result<u64, Infallible> {
         if self.drawn >= self.budget {
             std::panic::resume_unwind(Box::new(Spent));

@@ -44,7 +44,7 @@ pub fn integrate(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64]) -> Inte
 }
 
 /// [`integrate`] of a function that rounding alone puts off by an integral of `noise`: no panel is halved for less.
-pub(crate) fn integrate_noisy(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64], noise: f64) -> Integral {
+pub fn integrate_noisy(f: &dyn Fn(f64) -> f64, a: f64, b: f64, breaks: &[f64], noise: f64) -> Integral {
     let inner = breaks.iter().copied().filter(|&x| x > a && x < b);
     let ends: Vec<f64> = std::iter::once(a).chain(inner).chain([b]).collect();
     let coarse: Vec<Integral> = ends.windows(2).map(|w| panel(f, w[0], w[1])).collect();
@@ -94,7 +94,8 @@ fn panel(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> Integral {
 }
 
 /// The 15 points of a panel, each with its weight in the Kronrod and in the Gauss rule.
-pub(crate) fn points(a: f64, b: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+#[inline]
+pub fn points(a: f64, b: f64) -> impl Iterator<Item = (f64, f64, f64)> {
     let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
     (0..15).map(move |i: usize| {
         let (k, side) = if i < 8 { (i, -h) } else { (14 - i, h) };
