@@ -7,29 +7,12 @@ use crate::woodcock::one_by_one;
 use freepath_draws::{Draws, Streams};
 
 pub(crate) mod delta_tracking;
+pub(crate) mod path;
 mod ray_marching;
 mod regular_tracking;
 
-pub use ray_marching::MarchingRule;
-
-/// One draw of a free path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FreePath {
-    /// Distance to the collision; infinity for an escape.
-    pub t: f64,
-    /// Statistical weight: 1 unless the sampler is weighted.
-    pub weight: f64,
-    /// Tentative collisions of the walk, 0 if it makes none.
-    pub collisions: u32,
-}
-
-impl FreePath {
-    /// An unweighted collision at `t`, or escape if `t` is infinite.
-    #[must_use]
-    pub fn at(t: f64) -> Self {
-        Self { t, weight: 1.0, collisions: 0 }
-    }
-}
+pub use path::FreePath;
+pub use ray_marching::rule::MarchingRule;
 
 /// Draws distances to the next collision: P(t <= x) = 1 - exp(-tau(x)), and escape with probability exp(-tau(length)).
 ///

@@ -37,6 +37,7 @@ pub use extinction::{Cells, Extinction, Medium, Under};
 pub use free_path::{FreePath, FreePathSampler};
 pub use freepath_draws::{Draws, Key, Streams};
 pub use list::List;
-pub use majorants::{MajorantChoice, Majorants};
+pub use majorants::Majorants;
+pub use majorants::choice::MajorantChoice;
 pub use parameter::ParameterError;
 pub use transmittance::TransmittanceEstimator;

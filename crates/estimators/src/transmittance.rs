@@ -2,7 +2,7 @@
 
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
-use crate::free_path::FreePath;
+use crate::free_path::path::FreePath;
 use crate::parameter::ParameterError;
 use crate::woodcock::one_by_one;
 use freepath_draws::{Draws, Streams};

@@ -7,7 +7,7 @@
 //! steps, which would favour short walks.
 
 use crate::extinction::Extinction;
-use crate::free_path::FreePath;
+use crate::free_path::path::FreePath;
 use freepath_draws::random::{exponential, uniform};
 use freepath_draws::{Draws, Streams};
 

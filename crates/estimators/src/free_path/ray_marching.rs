@@ -5,8 +5,10 @@ use crate::free_path::{FreePath, FreePathSampler};
 use crate::parameter::ParameterError;
 use freepath_draws::random::{exponential, uniform};
 use marched::Marched;
+use rule::MarchingRule;
 
 mod marched;
+pub(super) mod rule;
 
 /// Ray marching: steps of constant extinction until their sum reaches the optical depth, biased by design (Perlin and
 /// Hoffert 1989).
@@ -29,21 +31,6 @@ pub struct RayMarching {
     /// How many steps, 1 to 1e8.
     #[schemars(range(min = 1, max = 100_000_000))]
     pub steps: Steps,
-}
-
-/// Where in its step the extinction is looked up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[schemars(rename = "ray_marching_free_path_rule")]
-pub enum MarchingRule {
-    /// At its start.
-    Left,
-    /// In its middle.
-    Midpoint,
-    /// At the same random fraction of every step of a ray.
-    Jitter,
-    /// In its middle, where the collision is put, too.
-    Snap,
 }
 
 impl RayMarching {
@@ -72,7 +59,9 @@ impl FreePathSampler for RayMarching {
             if !(mu * comb.h <= depth) {
                 return FreePath::at(match self.rule {
                     MarchingRule::Snap => t + 0.0 * mu, // NaN stays
-                    _ => comb.at(i, depth / (mu * comb.h)),
+                    MarchingRule::Left | MarchingRule::Midpoint | MarchingRule::Jitter => {
+                        comb.at(i, depth / (mu * comb.h))
+                    }
                 });
             }
             depth -= mu * comb.h;

@@ -1,5 +1,6 @@
 mod expression;
 mod functions;
+mod step;
 mod syntax;
 
 use super::numeric::Numeric;

@@ -1,13 +1,18 @@
 //! A measured volume, seen along one ray.
 
+mod axis;
+mod blend;
 mod bounds;
+mod cell;
 mod cubic;
+mod filter;
 mod grid;
 mod knots;
 mod line;
 mod ray;
 
-pub use grid::{Filter, Grid, Rescale};
+pub use filter::Filter;
+pub use grid::{Grid, Rescale};
 pub use ray::GridRay;
 
 use crate::medium::{Built, Describe, Raw, Surroundings, Volume, VolumeRequest};

@@ -1,4 +1,4 @@
-use super::MarchingRule;
+use super::rule::MarchingRule;
 use crate::comb::{Comb, Steps, TILE};
 use crate::extinction::Medium;
 use freepath_draws::quadrature::points;

@@ -1,20 +1,8 @@
-use super::functions::{One, Two};
+use super::step::{DEEPEST, Step};
 use super::syntax::Parser;
-
-/// The deepest stack that a formula may need.
-pub(super) const DEEPEST: usize = 64;
 
 /// The longest text that is read.
 const LONGEST: usize = 4096;
-
-/// One step of a formula in postfix order.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Step {
-    Number(f64),
-    T,
-    One(One),
-    Two(Two),
-}
 
 /// A formula in t, ready to be evaluated.
 #[derive(Clone, Debug)]

@@ -1,5 +1,5 @@
-use super::expression::{DEEPEST, Step};
 use super::functions::{ONE, TWO, Two, names};
+use super::step::{DEEPEST, Step};
 
 /// How deep brackets, signs and powers may be nested; a step needs at most one place of the stack for each.
 const NESTED: usize = DEEPEST / 4;

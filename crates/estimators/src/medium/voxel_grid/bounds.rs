@@ -1,4 +1,4 @@
-use super::line::hold;
+use super::axis::hold;
 use crate::parameter::{self, ParameterError};
 
 /// The box that a grid fills.

@@ -1,4 +1,5 @@
-use super::line::{blend, hold};
+use super::axis::hold;
+use super::blend::blend;
 
 /// A cubic on [0, 1] by its Bernstein coefficients. Those of a trilinear blend are means of blends: none is negative, so
 /// neither values nor integrals cancel.

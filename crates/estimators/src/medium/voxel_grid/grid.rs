@@ -1,44 +1,11 @@
-use super::bounds::{self, Bounds};
-use super::line::{Axis, Line};
-use super::ray::GridRay;
+use super::bounds::Bounds;
+use super::filter::Filter;
 use crate::medium::Volume;
 use crate::parameter::{self, ParameterError};
-use std::ops::Range;
 use std::sync::Arc;
 
 /// The most voxels that a grid may have.
 const MOST_CELLS: usize = 100_000_000;
-
-/// How mu follows from the values around a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Filter {
-    /// The value of the voxel: constant in each.
-    Nearest,
-    /// Linear along each axis between the centres of the voxels.
-    Trilinear,
-}
-
-impl Filter {
-    /// The planes at which mu or its slope jumps, on an axis of `n` voxels.
-    pub(super) fn planes(self, n: usize) -> Range<usize> {
-        match self {
-            Self::Nearest => 1..n,
-            Self::Trilinear if n == 1 => 0..0,
-            Self::Trilinear => 0..n,
-        }
-    }
-
-    /// An axis of `n` voxels that the ray runs along from `start`, counted in voxels from the low face.
-    fn axis(self, n: usize, start: f64, slope: f64) -> Axis {
-        let n = n as f64;
-        let (shift, top, last) = match self {
-            Self::Nearest => (0.0, n, n - 1.0),
-            Self::Trilinear => (0.5, n - 1.0, if n < 2.0 { 0.0 } else { n - 2.0 }),
-        };
-        Axis { start: start - shift, slope, top, last }
-    }
-}
 
 /// From values to extinction: scale v + offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,27 +60,12 @@ impl Grid {
         Ok(Self { filter, rescale, bounds, steps: [step(ny, nx), step(nz, nx * ny)], volume })
     }
 
-    /// Extinction along the ray from `origin` in `direction`, whose length does not matter.
-    ///
-    /// # Errors
-    /// If a number is not finite, the direction is zero, or the ray misses the box.
-    pub fn ray(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<GridRay, ParameterError> {
-        let unit = bounds::unit(direction)?;
-        for x in origin {
-            parameter::finite("origin", x)?;
-        }
-        let missed = || {
-            let ray = format!("{origin:?} along {direction:?}");
-            ParameterError::new("origin", ray, "that of a ray which crosses the bounds")
-        };
-        let inside = self.bounds.enter(self.shape(), origin, unit).ok_or_else(missed)?;
-        let axis = |a| self.filter.axis(self.shape()[a], inside.start[a], inside.slope[a]);
-        let line = Line::new(self.clone(), std::array::from_fn(axis));
-        Ok(GridRay::new(line, inside.length))
-    }
-
     pub(super) fn shape(&self) -> [usize; 3] {
         self.volume.shape
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
     pub(super) fn filter(&self) -> Filter {

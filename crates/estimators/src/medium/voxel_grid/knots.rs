@@ -1,4 +1,5 @@
-use super::line::{Axis, Line};
+use super::axis::Axis;
+use super::line::Line;
 
 /// 0, each t at which the look-up turns to another cell, and the length; strictly increasing.
 ///

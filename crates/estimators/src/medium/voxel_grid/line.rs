@@ -1,47 +1,12 @@
-use super::grid::{Filter, Grid};
+use super::axis::{Axis, INTEGERS};
+use super::blend::blend;
+use super::filter::Filter;
+use super::grid::Grid;
 use freepath_draws::simd;
 
 /// How many look-ups the three passes of a tile take together: small enough for the first cache.
 const PART: usize = 64;
-const INTEGERS: f64 = 4_503_599_627_370_496.0; // 2^52: adding it rounds to an integer and shows it in the low bits
 const NOWHERE: f64 = 2_147_483_648.0; // beyond every array
-
-/// `u` held to [0, top]; NaN stays.
-#[inline(always)]
-pub(super) fn hold(u: f64, top: f64) -> f64 {
-    let u = if u < 0.0 { 0.0 } else { u };
-    if u > top { top } else { u }
-}
-
-/// How the ray runs along one axis, in cells of the filter: cell k lies between the positions k and k + 1.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
-    /// Position at t = 0.
-    pub(super) start: f64,
-    /// Cells per length.
-    pub(super) slope: f64,
-    /// The value there is held beyond this position, as the value at 0 is below it.
-    pub(super) top: f64,
-    /// The last cell.
-    pub(super) last: f64,
-}
-
-impl Axis {
-    #[inline(always)]
-    pub(super) fn position(&self, t: f64) -> f64 {
-        self.start + t * self.slope
-    }
-
-    /// The cell at `t`, and the place in it from 0 to 1.
-    #[inline(always)]
-    pub(super) fn locate(&self, t: f64) -> (f64, f64) {
-        let u = hold(self.position(t), self.top);
-        let near = (u + INTEGERS) - INTEGERS;
-        let floor = if near > u { near - 1.0 } else { near };
-        let cell = if floor > self.last { self.last } else { floor };
-        (cell, u - cell)
-    }
-}
 
 /// The look-up along one ray, as a renderer makes it: locate the cell, gather its corners, blend.
 #[derive(Clone, Debug)]
@@ -136,17 +101,4 @@ impl Line {
             }
         }
     }
-}
-
-/// The trilinear blend of eight corners, x fastest: y, then z, for both ends in x at once, then x.
-///
-/// It never leaves the range of the corners by more than rounding, nor falls below 0.
-#[inline(always)]
-pub(super) fn blend(c: &[f64; 8], [x, y, z]: [f64; 3]) -> f64 {
-    let lerp = |a: f64, b: f64, s: f64| a + (b - a) * s;
-    let both = |a: [f64; 2], b: [f64; 2], s: f64| [lerp(a[0], b[0], s), lerp(a[1], b[1], s)];
-    let low = both([c[0], c[1]], [c[2], c[3]], y);
-    let high = both([c[4], c[5]], [c[6], c[7]], y);
-    let [a, b] = both(low, high, z);
-    lerp(a, b, x)
 }

@@ -1,11 +1,16 @@
-use super::cubic::{Cubic, widen};
-use super::grid::Filter;
+use super::axis::hold;
+use super::bounds;
+use super::cell::Cell;
+use super::cubic::widen;
+use super::filter::Filter;
+use super::grid::Grid;
 use super::knots;
-use super::line::{Line, hold};
+use super::line::Line;
 use crate::extinction::{Cells, Extinction, Medium};
 use crate::majorants::Majorants;
+use crate::parameter::{self, ParameterError};
 
-/// Extinction along one ray through a [`Grid`](super::Grid), with its exact optical depth.
+/// Extinction along one ray through a [`Grid`], with its exact optical depth.
 ///
 /// `mu` looks up the grid as a renderer does; the truth comes from one cubic per cell along the ray.
 #[derive(Clone, Debug)]
@@ -20,53 +25,24 @@ pub struct GridRay {
     majorants: Majorants,
 }
 
-/// mu between two knots, and the range that no look-up there leaves, whatever the place and the rounding.
-#[derive(Clone, Copy, Debug)]
-struct Cell {
-    mu: Cubic,
-    least: f64,
-    most: f64,
-    /// How far a look-up may lie from `mu` by rounding.
-    rounding: f64,
-}
-
-impl Cell {
-    fn new(line: &Line, start: f64, end: f64) -> Self {
-        match line.grid().filter() {
-            Filter::Nearest => Self::constant(line.mu(start)),
-            Filter::Trilinear => Self::cubic(line, start, end),
+impl Grid {
+    /// Extinction along the ray from `origin` in `direction`, whose length does not matter.
+    ///
+    /// # Errors
+    /// If a number is not finite, the direction is zero, or the ray misses the box.
+    pub fn ray(&self, origin: [f64; 3], direction: [f64; 3]) -> Result<GridRay, ParameterError> {
+        let unit = bounds::unit(direction)?;
+        for x in origin {
+            parameter::finite("origin", x)?;
         }
-    }
-
-    /// The cell that starts at `start`, which every look-up before `end` reads.
-    fn cubic(line: &Line, start: f64, end: f64) -> Self {
-        let (index, from) = line.locate(start);
-        let to = std::array::from_fn(|a| {
-            let axis = &line.axes()[a];
-            hold(hold(axis.position(end), axis.top) - axis.locate(start).0, 1.0)
-        });
-        let corners = line.corners(index);
-        let none = (f64::INFINITY, f64::NEG_INFINITY);
-        let (least, most) = corners.into_iter().fold(none, widen);
-        let blended = if least < most { 4.0 * f64::EPSILON * most } else { 0.0 };
-        let planes: usize = line.grid().shape().iter().sum();
-        Self {
-            mu: Cubic::along(&corners, from, to),
-            least: hold(least - blended, most),
-            most: most + blended,
-            rounding: 2.0 * blended + 3.0 * f64::EPSILON * planes as f64 * (most - least),
-        }
-    }
-
-    fn constant(mu: f64) -> Self {
-        Self { mu: Cubic::constant(mu), least: mu, most: mu, rounding: 0.0 }
-    }
-
-    /// What look-ups from `from` to `to` of the cell can give.
-    fn range(&self, from: f64, to: f64) -> (f64, f64) {
-        let (low, high) = self.mu.range(from, to);
-        let (low, high) = (low - self.rounding, high + self.rounding);
-        (if low < self.least { self.least } else { low }, if high > self.most { self.most } else { high })
+        let missed = || {
+            let ray = format!("{origin:?} along {direction:?}");
+            ParameterError::new("origin", ray, "that of a ray which crosses the bounds")
+        };
+        let inside = self.bounds().enter(self.shape(), origin, unit).ok_or_else(missed)?;
+        let axis = |a| self.filter().axis(self.shape()[a], inside.start[a], inside.slope[a]);
+        let line = Line::new(self.clone(), std::array::from_fn(axis));
+        Ok(GridRay::new(line, inside.length))
     }
 }
 
