@@ -1,0 +1,9 @@
+//! What statistics cannot see: scripted generators and identities catch their mutants, and leave right subjects alone.
+
+mod identities;
+mod rays;
+mod scripted;
+mod shipped;
+mod state;
+mod subject;
+mod truth;

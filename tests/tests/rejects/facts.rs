@@ -1,0 +1,96 @@
+//! Facts that fail without any p-value.
+
+use crate::chromatic::of_weights;
+use crate::path::{LENGTH, MU, medium, of_path, path, right, sampler};
+use freepath_draws::random::{exponential, uniform};
+use freepath_estimators::medium::BoxSpike;
+use freepath_estimators::{Extinction, FreePath, FreePathSampler};
+use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::verdict::{Reason, Verdict};
+use freepath_tests::{Judgement, judgement};
+use rand::Rng;
+
+pub(crate) fn fails(reason: Reason, judgement: &Judgement) {
+    let Judgement { decision, stages } = judgement;
+    assert!(
+        decision.verdict == Verdict::Fail && decision.reasons.contains(&reason),
+        "{reason}: {decision:?} after {} stages",
+        stages.len()
+    );
+}
+
+#[test]
+fn facts_fail_at_once() {
+    let outside = of_path(
+        &sampler(|medium, rng| {
+            medium.mu(LENGTH * 1.01);
+            path(right(rng))
+        }),
+        1,
+    );
+    fails(Reason::OutOfSupport, &outside);
+    fails(Reason::OutOfSupport, &of_path(&sampler(|_, rng| FreePath::at(right(rng))), 1));
+    fails(
+        Reason::NonFinite,
+        &of_path(
+            &sampler(|_, rng| if uniform(rng) < 1e-3 { FreePath::at(f64::NAN) } else { path(right(rng)) }),
+            1,
+        ),
+    );
+    fails(Reason::SubjectError, &of_path(&sampler(|_, _| panic!("a planted panic")), 1));
+    fails(Reason::NonFinite, &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0));
+}
+
+#[test]
+fn one_look_up_above_the_majorant_fails() {
+    let truth = medium();
+    let short = freepath_estimators::Majorants::constant(0.999 * MU, LENGTH);
+    let seen = freepath_estimators::Under::new(std::sync::Arc::new(medium()), short);
+    let clamped = sampler(|medium, rng| {
+        medium.mu(0.5);
+        path(right(rng))
+    });
+    let scene = Scene::Grey { truth: &truth, seen: &seen };
+    fails(
+        Reason::BoundViolated,
+        &judgement(&Subject { draws: 1, ..Subject::new(Work::FreePath(&clamped), scene) }, 5),
+    );
+}
+
+/// A hit where mu is 0 has no probability at all, however few they are.
+#[test]
+fn a_collision_in_vacuum_fails() {
+    let truth = BoxSpike::new(0.0, 2.0, 0.7, 1.1, 2.3).expect("a medium");
+    let stray = sampler(|_, rng| {
+        let t = 0.7 + exponential(rng) / 2.0;
+        FreePath::at(if uniform(rng) < 1e-4 {
+            0.3 * uniform(rng)
+        } else if t < 1.1 {
+            t
+        } else {
+            f64::INFINITY
+        })
+    });
+    let scene = Scene::Grey { truth: &truth, seen: &truth };
+    fails(
+        Reason::OutOfSupport,
+        &judgement(&Subject { draws: 200_000, ..Subject::new(Work::FreePath(&stray), scene) }, 5),
+    );
+}
+
+/// The law is of unweighted draws: a weight that nobody asked for is a fact against it.
+#[test]
+fn a_weighted_free_path_fails() {
+    for weight in [0.5, f64::NAN] {
+        let truth = medium();
+        let weighted = |_: &dyn Extinction, rng: &mut dyn Rng| FreePath { weight, ..path(right(rng)) };
+        struct Weighted<F>(F);
+        impl<F: Fn(&dyn Extinction, &mut dyn Rng) -> FreePath + Send + Sync> FreePathSampler for Weighted<F> {
+            fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+                (self.0)(medium, rng)
+            }
+        }
+        let (subject, scene) = (Weighted(weighted), Scene::Grey { truth: &truth, seen: &truth });
+        fails(Reason::WrongLaw, &judgement(&Subject::new(Work::FreePath(&subject), scene), 5));
+    }
+}

@@ -1,0 +1,49 @@
+//! Distances of a wrong law.
+
+use crate::path::{Draw, MU, collided, escape, of_path, path, right, sampler};
+use freepath_draws::random::uniform;
+use freepath_estimators::FreePath;
+use freepath_harness::verdict::Reason;
+use freepath_tests::Judgement;
+
+pub(crate) fn laws() -> Vec<(&'static str, Reason, Judgement)> {
+    let few = 200_000;
+    let law = |draw: Draw| of_path(&sampler(draw), few);
+    let atom =
+        law(|_, rng| FreePath::at(if uniform(rng) < 0.9 * escape() { f64::INFINITY } else { collided(rng) }));
+    let lobe = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.4..0.5).contains(&t) && uniform(rng) < 0.2 { t + 0.3 } else { t })
+    });
+    let narrow = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.40..0.41).contains(&t) && uniform(rng) < 0.5 { t + 0.02 } else { t })
+    });
+    let needle = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.400..0.402).contains(&t) { t + 0.01 } else { t })
+    });
+    let thin = || law(|_, rng| path(right(rng) / 0.97));
+    let thicker = law(|_, rng| path(right(rng) / 1.02));
+    let wave = law(|_, rng| {
+        let u = uniform(rng);
+        let bent = u + 0.004 * freepath_draws::math::sin2pi(3.0 * u);
+        path(-libm::log1p(-bent * (1.0 - 1e-12)) / MU)
+    });
+    let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));
+    let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
+    vec![
+        ("atom", Reason::WrongLaw, atom),
+        ("chi_square_16", Reason::WrongLaw, lobe),
+        ("chi_square_64", Reason::WrongLaw, narrow),
+        ("chi_square_fine", Reason::WrongLaw, needle),
+        ("kolmogorov", Reason::WrongLaw, thin()),
+        ("anderson_darling", Reason::WrongLaw, thin()),
+        ("cramer_von_mises", Reason::WrongLaw, thin()),
+        ("kuiper", Reason::WrongLaw, thin()),
+        ("berk_jones", Reason::WrongLaw, hot),
+        ("exposure", Reason::WrongLaw, thicker),
+        ("neyman_16", Reason::WrongLaw, wave),
+        ("ties", Reason::Dependent, repeated),
+    ]
+}

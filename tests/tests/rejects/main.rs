@@ -1,0 +1,14 @@
+//! Every test rejects something: for each name a small mutant that it must catch, through the public interface; and facts fail
+//! without any p-value.
+
+mod by_design;
+mod chromatic;
+mod estimates;
+mod every_test;
+mod facts;
+mod joint;
+mod later;
+mod laws;
+mod path;
+mod ramp;
+mod walks;
