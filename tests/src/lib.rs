@@ -7,9 +7,9 @@ use freepath_harness::collect::{Stopped, Watch, collect};
 use freepath_harness::decide::{Decision, Stage, adjust, decide, suspect};
 use freepath_harness::judge::{Judged, judge};
 use freepath_harness::plan::Plan;
-use freepath_harness::results::Results;
 use freepath_harness::run::{Options, run};
 use freepath_harness::subject::Subject;
+use freepath_results::Results;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 

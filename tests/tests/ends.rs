@@ -5,7 +5,7 @@ use freepath_estimators::claims::FreePathClaims;
 use freepath_estimators::medium::Sinusoid;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 use freepath_tests::{Judgement, judgement};
 use rand::Rng;
 

@@ -6,7 +6,7 @@ use freepath_harness::law::Law;
 use freepath_harness::special::{binomial_two_sided, normal_quantile, normal_sf};
 use freepath_harness::tally::CellTally;
 use freepath_harness::test::{atom, chi_square, exposure};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 const LEVEL: f64 = 1e-3;
 const LENGTH: f64 = 2.0;

@@ -2,7 +2,7 @@
 
 use freepath_harness::case::{CaseFile, Limits};
 use freepath_harness::subject::{Route, Subject};
-use freepath_harness::verdict::Verdict;
+use freepath_results::Verdict;
 use freepath_tests::judgement;
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use freepath_harness::test::{
     BlockLookups, MeanClaim, Method, chi_square, kolmogorov, lag, least_expected, lookups, mean, poisson_count,
     residuals, second_moment,
 };
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 /// Counts of `n` draws, as near to the law as integers can be.
 fn tally(law: &Law, n: u64) -> CellTally {

@@ -1,9 +1,7 @@
 //! Draws double until the bias is bounded as the case asks, the subject is rejected, or the budget ends: each is reached,
 //! and nothing else.
 
-use freepath_harness::real::Real;
-use freepath_harness::results::{Grown, GrownOutcome, Results, SubjectResult};
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Grown, GrownOutcome, Real, Reason, Results, SubjectResult, Verdict};
 use freepath_tests::{parse, results};
 
 /// `subject` and its settings over a sine of mean free path 1, at four blocks to begin with.

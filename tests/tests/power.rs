@@ -1,9 +1,8 @@
 //! The power table: larger faults need fewer draws, what is right is never caught, and what should be hidden is.
 
-use freepath_harness::power::{FEWEST, exit_code, power};
-use freepath_harness::results::{PowerResults, PowerRow, Role};
+use freepath_harness::power::{exit_code, power};
 use freepath_harness::run::Options;
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{FEWEST_DRAWS, PowerResults, PowerRow, Reason, Role, Verdict};
 use freepath_tests::parse;
 use std::sync::atomic::AtomicBool;
 
@@ -47,7 +46,7 @@ fn a_larger_fault_needs_no_more_draws() {
 fn a_fact_needs_few_draws() {
     let rows = table(&short(0.99, r#""expect": { "fail": "bound_violated" }"#), 100_000).rows;
     let first = rows[0].first.as_ref().unwrap_or_else(|| panic!("{:?}", rows[0]));
-    assert_eq!((needed(&rows[0]), first.name.as_str(), first.fact), (FEWEST, "audit", true));
+    assert_eq!((needed(&rows[0]), first.name.as_str(), first.fact), (FEWEST_DRAWS, "audit", true));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Estimators of one transmittance by efficiency: who needs less work comes first, and who cannot be trusted is refused.
 
 use freepath_harness::case::Limits;
-use freepath_harness::results::{Ranking, Results};
+use freepath_results::{Ranking, Results};
 use freepath_tests::{load, parse, results, root};
 
 fn ranking(results: &Results) -> &Ranking {

@@ -3,7 +3,7 @@
 use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{self, CaseFile, ChromaticSubject, FreePathSubject, TransmittanceSubject};
 use freepath_harness::fault::Fault;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

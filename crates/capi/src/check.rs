@@ -6,7 +6,7 @@ use crate::message::{get, put};
 use freepath_harness::assert::{Effort, verify};
 use freepath_harness::case::{CaseFile, Limits, World};
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::verdict::Verdict;
+use freepath_results::Verdict;
 use std::any::Any;
 use std::ffi::{c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -10,7 +10,7 @@ use fields::fields;
 use freepath_harness::case;
 use freepath_harness::describe;
 use freepath_harness::test;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use serde_json::Value;
 
 /// One name.
@@ -88,7 +88,7 @@ fn reasons() -> impl Iterator<Item = Entry> {
     Reason::ALL.iter().map(|reason| Entry {
         kind: "reason",
         name: reason.code().to_string(),
-        words: format!("{}\n\n{}", sentence(reason.words()), describe::advice(*reason)),
+        words: format!("{}\n\n{}", sentence(reason.words()), reason.advice()),
         fields: Vec::new(),
         example: format!("\"expect\": {{ \"fail\": \"{reason}\" }}"),
     })

@@ -3,7 +3,7 @@
 use crate::args::When;
 use crate::trouble::Trouble;
 use clap::builder::styling::{AnsiColor, Style};
-use freepath_harness::verdict::Verdict;
+use freepath_results::Verdict;
 use std::env;
 use std::io::{ErrorKind, Write, stdout};
 

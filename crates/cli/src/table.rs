@@ -4,9 +4,7 @@ mod grid;
 pub(crate) mod power;
 
 use crate::screen::{cell, painted};
-use freepath_harness::real::Real;
-use freepath_harness::results::{MeanResult, Results, SubjectResult};
-use freepath_harness::verdict::Verdict;
+use freepath_results::{MeanResult, Real, Results, SubjectResult, Verdict};
 use std::fmt::Write;
 use std::path::Path;
 

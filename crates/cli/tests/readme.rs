@@ -5,7 +5,7 @@ use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
 use freepath_harness::fault::Fault;
 use freepath_harness::test::{CHECKS, NAMES};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

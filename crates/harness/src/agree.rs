@@ -110,6 +110,6 @@ fn evidence(subject: &Subject, plan: &Plan, which: Agreement, own: &Collected, o
                 agree_law(name, [a, b], slack, law.reason)
             }
         }
-        _ => Evidence::withheld(name, f64::NAN, crate::verdict::Reason::WrongLaw, "there is nothing to compare"),
+        _ => Evidence::withheld(name, f64::NAN, freepath_results::Reason::WrongLaw, "there is nothing to compare"),
     }
 }

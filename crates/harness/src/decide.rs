@@ -2,7 +2,7 @@
 
 use crate::evidence::{Evidence, holm};
 use crate::judge::Judged;
-use crate::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 
 /// The family-wise error of each stage.
 pub const STAGE_ALPHA: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! Evidence: numbers, computed and not yet judged.
 
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// The level at which intervals, bands, `bound` and `detectable` are given: what Holm leaves to one test of a large run.
 pub const REPORTING_LEVEL: f64 = 1e-6;

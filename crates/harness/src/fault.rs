@@ -1,7 +1,7 @@
 //! Planted faults: data laid over the majorants, the look-ups, the uniforms or the draws of any subject, so that no broken
 //! estimator is ever shipped as one. `docs/faults.md` says where they were found.
 
-use crate::verdict::Reason;
+use freepath_results::Reason;
 use serde::{Deserialize, Serialize};
 
 mod cells;

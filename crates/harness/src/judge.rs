@@ -8,8 +8,8 @@ use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
 use crate::subject::{Scene, Subject, Work};
 use crate::tally::{CellTally, Extremes, PowerSums};
 use crate::test;
-use crate::verdict::Reason;
 use freepath_estimators::Medium;
+use freepath_results::Reason;
 
 /// What can be said of a subject after one stage.
 #[derive(Clone, Debug, Default)]

@@ -48,8 +48,6 @@ pub mod plan;
 pub mod power;
 pub mod program;
 pub mod ranking;
-pub mod real;
-pub mod results;
 pub mod run;
 pub mod sample;
 pub mod samples;
@@ -62,6 +60,5 @@ pub mod special;
 pub mod subject;
 pub mod tally;
 pub mod test;
-pub mod verdict;
 
 pub use assert::{assert_chromatic, assert_free_path, assert_transmittance};

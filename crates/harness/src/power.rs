@@ -16,17 +16,12 @@ mod words;
 
 use crate::case::Prepared;
 use crate::decide::STAGE_ALPHA;
-use crate::real::Real;
-use crate::results::{POWER_SCHEMA_VERSION, PowerResults, PowerRow};
 use crate::run::{Cancelled, Options};
-use crate::verdict::Verdict;
+use freepath_results::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Real, Verdict};
 use rayon::prelude::*;
 
 /// The p-values of the run that a fault must be caught in.
 pub const FAMILY: usize = 10_000;
-
-/// The fewest draws that are tried.
-pub const FEWEST: u64 = 256;
 
 /// Every subject of every case, at growing draws: the same for any number of threads.
 ///

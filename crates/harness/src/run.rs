@@ -7,10 +7,8 @@ use crate::evidence::REPORTING_LEVEL;
 use crate::judge::{Judged, judge};
 use crate::noiseless;
 use crate::plan::Plan;
-use crate::real::Real;
-use crate::results::{Grown, Results, SCHEMA_VERSION, SubjectTiming};
 use crate::subject::{BLOCK, Subject};
-use crate::verdict::Verdict;
+use freepath_results::{Grown, Real, Results, SCHEMA_VERSION, SubjectTiming, Verdict};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
@@ -249,7 +247,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         let result = subjects::result(cases, trial, first, second, decision, options);
         results.push(subjects::diagnosed(result));
     }
-    let timing = |(trial, result): (&Trial, &crate::results::SubjectResult)| SubjectTiming {
+    let timing = |(trial, result): (&Trial, &freepath_results::SubjectResult)| SubjectTiming {
         id: result.id.clone(),
         seconds: Real(trial.seconds),
         draws: result.draws,

@@ -22,9 +22,9 @@ use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
 use crate::subject::{Route, Scene, Subject, Work};
-use crate::verdict::Reason;
 use freepath_draws::random::Script;
 use freepath_draws::{Draws, Key, Streams};
+use freepath_results::Reason;
 
 mod inspect;
 mod script;

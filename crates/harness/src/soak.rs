@@ -5,6 +5,7 @@
 
 use crate::case::Prepared;
 use crate::run::{Cancelled, Progress};
+use freepath_results::SoakResults;
 use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
 
@@ -12,15 +13,11 @@ mod fold;
 mod p_values;
 mod quick;
 mod record;
-mod results;
 mod trial;
 mod uniformity;
 
 pub use quick::quick;
 pub use record::seed_of;
-pub use results::{
-    AlarmRate, LevelResult, QuantileSeries, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
-};
 
 /// Runs whose p-values are held at a time.
 const WAVE: u64 = 64;

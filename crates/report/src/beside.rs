@@ -1,7 +1,6 @@
 //! What may lie beside results.json.
 
-use freepath_harness::results::{PowerResults, Timings};
-use freepath_harness::soak::SoakResults;
+use freepath_results::{PowerResults, SoakResults, Timings};
 
 /// Further findings that the page shows, each from a file of its own: they add to a report and decide nothing.
 #[derive(Clone, Debug, Default)]

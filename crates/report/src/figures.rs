@@ -10,8 +10,7 @@ use crate::plot::{
 };
 use crate::site::{Case, Site, Subject};
 use crate::text::clean;
-use freepath_harness::results::ChannelResult;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{ChannelResult, Verdict};
 use rayon::prelude::*;
 
 /// A plot with the name of its files.

@@ -1,7 +1,7 @@
 //! The text of results.json: a line for each field, test and fact, and none for each number.
 
 use crate::ReportError;
-use freepath_harness::results::Results;
+use freepath_results::Results;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! Reports of a run: results in, one HTML page, PNG and SVG plots out. Nothing is sampled here.
 //!
 //! ```no_run
-//! # fn show(results: &freepath_harness::results::Results) -> Result<(), freepath_report::ReportError> {
+//! # fn show(results: &freepath_results::Results) -> Result<(), freepath_report::ReportError> {
 //! freepath_report::write(results, None, std::path::Path::new("reports"))?;
 //! # Ok(())
 //! # }
@@ -29,7 +29,7 @@ pub use digest::run_id;
 pub use error::ReportError;
 pub use json::json;
 
-use freepath_harness::results::{MediumResult, Results, Timings};
+use freepath_results::{MediumResult, Results, Timings};
 use std::path::Path;
 
 /// What a report consists of.

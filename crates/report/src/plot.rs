@@ -14,8 +14,7 @@ pub(crate) mod residuals;
 pub(crate) mod running;
 
 use crate::draw::{Picture, Point};
-use freepath_harness::real::Real;
-use freepath_harness::results::MOST_POINTS;
+use freepath_results::{MOST_POINTS, Real};
 
 /// The width of a plot.
 pub(crate) const WIDTH: f64 = 640.0;

@@ -2,7 +2,7 @@
 
 use crate::Beside;
 use crate::text::{Slugs, clean};
-use freepath_harness::results::{MediumResult, Results, SubjectResult, Timings};
+use freepath_results::{MediumResult, Results, SubjectResult, Timings};
 use std::collections::HashMap;
 
 /// Most subjects that a page shows.

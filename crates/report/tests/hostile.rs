@@ -2,12 +2,11 @@
 
 mod support;
 
-use freepath_harness::real::Real;
-use freepath_harness::results::{
-    CdfSeries, HistogramSeries, LifeTable, MediumSeries, ResidualSeries, Results, RunningSeries, Series,
-};
-use freepath_harness::soak::QuantileSeries;
 use freepath_report::{Beside, Options, html};
+use freepath_results::{
+    CdfSeries, HistogramSeries, LifeTable, MediumSeries, QuantileSeries, Real, ResidualSeries, Results,
+    RunningSeries, Series,
+};
 use std::path::PathBuf;
 
 const ATTACK: &str = "</script></title></svg>\"'><img src=x onerror=alert(1)>\u{202e}\u{0}\u{2028}]]>{{ 7 }}";
@@ -106,7 +105,7 @@ fn no_text_becomes_markup() {
     }
 }
 
-fn without_faults(results: &Results) -> Vec<freepath_harness::results::SubjectResult> {
+fn without_faults(results: &Results) -> Vec<freepath_results::SubjectResult> {
     let mut all = results.results.clone();
     all.iter_mut().for_each(|r| r.faults.clear());
     all

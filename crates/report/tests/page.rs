@@ -156,7 +156,7 @@ fn a_fault_that_is_not_caught_is_not_passed_over() {
 #[test]
 fn the_p_values_of_a_run_are_those_of_right_subjects() {
     let (mut results, _) = support::run();
-    let of = |results: &freepath_harness::results::Results| {
+    let of = |results: &freepath_results::Results| {
         let page = html(results, None).unwrap();
         let words = page.split("p-values by which stage 1 judged").next().unwrap();
         words.rsplit("The ").next().unwrap().trim().replace(',', "").parse::<usize>().unwrap()

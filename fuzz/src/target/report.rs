@@ -3,10 +3,10 @@
 use super::{Answer, PLAIN, Target};
 use crate::judge::Bounds;
 use freepath_harness::case::{CaseFile, Limits, Prepared};
-use freepath_harness::results::{PowerResults, Results, Timings};
 use freepath_harness::run::{self, Options};
 use freepath_harness::{power, soak};
 use freepath_report::Beside;
+use freepath_results::{PowerResults, Results, SoakResults, Timings};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -70,7 +70,7 @@ fn show(input: &[u8], folder: &Path) -> Answer {
     let beside = Beside {
         timings: part::<Timings>(&whole, "timings").ok(),
         power: part::<PowerResults>(&whole, "power").ok(),
-        soak: part::<soak::SoakResults>(&whole, "soak").ok(),
+        soak: part::<SoakResults>(&whole, "soak").ok(),
         ..Beside::default()
     };
     let options = freepath_report::Options { run: Some("run".into()), ..Default::default() };

@@ -103,5 +103,5 @@ fn run(cases: &[Prepared]) -> Answer {
     let options = Options { seed: 1, cancelled: &never, progress: &|_, _| (), repro: String::new() };
     let outcome = run::run(cases, &options).map_err(|_| "nobody cancels")?;
     let text = freepath_report::json(&outcome.results).map_err(|why| why.to_string())?;
-    serde_json::from_str::<freepath_harness::results::Results>(&text).map(drop).map_err(|why| why.to_string())
+    serde_json::from_str::<freepath_results::Results>(&text).map(drop).map_err(|why| why.to_string())
 }

@@ -8,7 +8,7 @@ use freepath_estimators::{
     ChromaticSampler, Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator,
 };
 use freepath_harness::subject::{Scene, Work};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
 #[test]

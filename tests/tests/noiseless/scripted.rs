@@ -4,7 +4,7 @@ use crate::subject::{LENGTH, caught, estimator, in_medium, sinusoid, spike, trac
 use freepath_estimators::medium::{Constant, Sinusoid};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Majorants, Medium};
 use freepath_harness::subject::Work;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
 #[test]

@@ -4,7 +4,7 @@ use crate::subject::{caught, in_medium, sinusoid, tracking};
 use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::subject::Work;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use rand::{Rng, RngExt};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -8,7 +8,7 @@ use freepath_harness::noiseless::facts;
 use freepath_harness::plan::Plan;
 use freepath_harness::subject::{Scene, Subject, Work};
 use freepath_harness::test::CHECKS;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
 pub(crate) const LENGTH: f64 = 2.1;

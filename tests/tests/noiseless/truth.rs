@@ -4,7 +4,7 @@ use crate::subject::{LENGTH, caught, in_medium, tracking};
 use freepath_estimators::medium::Gaussian;
 use freepath_estimators::{Extinction, Majorants, Medium};
 use freepath_harness::subject::Work;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
 /// A bump whose truth is changed.

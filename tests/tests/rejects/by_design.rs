@@ -3,7 +3,7 @@
 use crate::estimates::{Estimator, changed, of_estimate, of_ratio};
 use crate::path::{MU, Sampler, escape, of_path, path, right, whole};
 use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use freepath_tests::Judgement;
 
 /// Claims to be off by design, and is off otherwise.

@@ -7,7 +7,7 @@ use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::medium::Chromatic;
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use freepath_tests::{Judgement, judgement};
 use rand::Rng;
 

@@ -7,7 +7,7 @@ use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{Extinction, FreePath, Medium, TransmittanceEstimator};
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 use freepath_tests::{Judgement, judgement};
 use rand::Rng;
 

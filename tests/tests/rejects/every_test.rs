@@ -10,7 +10,7 @@ use crate::ramp::in_the_ramp;
 use crate::walks::walks;
 use freepath_estimators::claims::FreePathClaims;
 use freepath_harness::test::NAMES;
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 use freepath_tests::Judgement;
 use std::collections::BTreeSet;
 

@@ -6,7 +6,7 @@ use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::medium::BoxSpike;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 use freepath_tests::{Judgement, judgement};
 use rand::Rng;
 

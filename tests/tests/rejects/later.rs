@@ -5,7 +5,7 @@ use crate::path::{of_path, path, right};
 use freepath_draws::{Draws, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::subject::BLOCK;
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 use freepath_tests::{parse, results};
 use rand::Rng;
 use std::sync::atomic::{AtomicUsize, Ordering};

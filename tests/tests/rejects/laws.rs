@@ -3,7 +3,7 @@
 use crate::path::{Draw, MU, collided, escape, of_path, path, right, sampler};
 use freepath_draws::random::uniform;
 use freepath_estimators::FreePath;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use freepath_tests::Judgement;
 
 pub(crate) fn laws() -> Vec<(&'static str, Reason, Judgement)> {

@@ -5,7 +5,7 @@ use crate::path::{LENGTH, Sampler, escape, of_path, path, right, whole};
 use crate::ramp::in_the_ramp;
 use freepath_estimators::FreePath;
 use freepath_estimators::claims::FreePathClaims;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 use freepath_tests::Judgement;
 
 pub(crate) fn walks() -> Vec<(&'static str, Reason, Judgement)> {

@@ -7,7 +7,7 @@ use freepath_harness::law::Law;
 use freepath_harness::special::normal_quantile;
 use freepath_harness::tally::CellTally;
 use freepath_harness::test::exposure;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     [0.05, 1.0, 12.0].into_iter().map(|depth| row(effort, depth)).collect()

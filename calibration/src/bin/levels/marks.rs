@@ -8,7 +8,7 @@ use freepath_harness::evidence::Evidence;
 use freepath_harness::special::chi_square_sf;
 use freepath_harness::tally::{CellTally, MarkTally};
 use freepath_harness::test::{agree_law, mark};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 /// A table of `rows` rows, each of draws that expect `each` in each of `columns` cells.
 struct Table {

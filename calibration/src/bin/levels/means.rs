@@ -7,7 +7,7 @@ use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
 use freepath_harness::special::{normal_quantile, student_t_two_sided};
 use freepath_harness::test::{MeanClaim, mean};
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 /// Which statistic a lean aims at.
 #[derive(Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use freepath_harness::law::Law;
 use freepath_harness::special::chi_square_sf;
 use freepath_harness::tally::CellTally;
 use freepath_harness::test::neyman;
-use freepath_harness::verdict::Reason;
+use freepath_results::Reason;
 
 const ORDER: usize = 16;
 

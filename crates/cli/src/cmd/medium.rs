@@ -6,8 +6,8 @@ use crate::trouble::Trouble;
 use crate::{cases, files};
 use freepath_estimators::Medium;
 use freepath_harness::case::{Commands, Limits, Prepared, World};
-use freepath_harness::results::MediumResult;
 use freepath_harness::run::medium_result;
+use freepath_results::MediumResult;
 use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
 

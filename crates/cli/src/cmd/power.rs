@@ -6,8 +6,7 @@ use crate::table::power::{grids, summary};
 use crate::trouble::Trouble;
 use crate::{files, screen};
 use freepath_harness::power::{self, exit_code};
-use freepath_harness::results::PowerResults;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{PowerResults, Verdict};
 use std::io::{IsTerminal, stdout};
 
 /// Nothing is written before every draw is done.

@@ -7,10 +7,9 @@ use crate::trouble::Trouble;
 use crate::{files, screen, table};
 use freepath_draws::simd;
 use freepath_harness::case::Prepared;
-use freepath_harness::real::Real;
-use freepath_harness::results::Timings;
 use freepath_harness::run::{self, Outcome, exit_code};
 use freepath_report::Beside;
+use freepath_results::{Real, Timings};
 use std::io::{IsTerminal, stdout};
 use std::time::Instant;
 

@@ -6,7 +6,8 @@ use crate::trouble::Trouble;
 use crate::{cases, files, filter, program, screen, signal};
 use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, quoted};
-use freepath_harness::soak::{self, Options, SoakResults};
+use freepath_harness::soak::{self, Options};
+use freepath_results::SoakResults;
 use std::io::{IsTerminal, stderr};
 use std::sync::atomic::AtomicBool;
 

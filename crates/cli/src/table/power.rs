@@ -2,8 +2,7 @@
 
 use super::grid::Grid;
 use crate::screen::cell;
-use freepath_harness::power::FEWEST;
-use freepath_harness::results::{PowerResults, PowerRow, Role};
+use freepath_results::{FEWEST_DRAWS, PowerResults, PowerRow, Role};
 
 /// The parts of the table: which rows, under which title and head.
 const PARTS: &[(Role, &str, &[&str])] = &[
@@ -59,7 +58,7 @@ fn caught(row: &PowerRow) -> [String; 3] {
     };
     let first = row.first.as_ref();
     let name = first.map_or(String::new(), |seen| seen.name.clone() + if seen.fact { " (fact)" } else { "" });
-    let least = if needed <= FEWEST { "at most " } else { "" };
+    let least = if needed <= FEWEST_DRAWS { "at most " } else { "" };
     [name, format!("{least}{needed}"), first.map_or(String::new(), |seen| seen.reason.to_string())]
 }
 
@@ -72,7 +71,7 @@ fn least(row: &PowerRow) -> String {
 }
 
 fn seen_by(row: &PowerRow) -> String {
-    let words = |seen: &freepath_harness::results::Sighting| format!("{}: {}", seen.name, seen.reason);
+    let words = |seen: &freepath_results::Sighting| format!("{}: {}", seen.name, seen.reason);
     let all: Vec<_> = row.fired.iter().map(words).collect();
     if all.is_empty() { "nothing".into() } else { all.join(", ") }
 }

@@ -1,7 +1,7 @@
 //! What is printed and written, and how the exit code tells of it.
 
 use crate::support::{GOOD, contents, folder, freepath, put, run, with_good};
-use freepath_harness::results::{Results, Timings};
+use freepath_results::{Results, Timings};
 use std::fs;
 use std::process::Stdio;
 

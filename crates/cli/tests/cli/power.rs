@@ -1,7 +1,7 @@
 //! `power`: the table, its three forms, and its exit codes.
 
 use crate::support::{GOOD, contents, folder, put, run};
-use freepath_harness::results::{PowerResults, Role};
+use freepath_results::{PowerResults, Role};
 use std::fs;
 use std::path::{Path, PathBuf};
 

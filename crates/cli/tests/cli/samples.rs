@@ -3,7 +3,7 @@
 use crate::support::{folder, freepath, put, run, told};
 use freepath_draws::Key;
 use freepath_draws::random::exponential;
-use freepath_harness::results::Results;
+use freepath_results::Results;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -3,8 +3,7 @@
 use crate::place::{Test, path, root};
 use crate::support::{folder, freepath, put, told};
 use crate::tools::Tool;
-use freepath_harness::results::{Results, SubjectResult};
-use freepath_harness::verdict::Verdict;
+use freepath_results::{Results, SubjectResult, Verdict};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -3,7 +3,7 @@
 use crate::place::Test;
 use crate::scripts::{RIGHT, ready};
 use crate::support::{put, run};
-use freepath_harness::results::{Results, SubjectResult, Timings};
+use freepath_results::{Results, SubjectResult, Timings};
 
 pub(crate) const TESTS: &[Test] = &[
     ("every_failure_has_its_reason_and_stops_nothing_else", every_failure_has_its_reason),

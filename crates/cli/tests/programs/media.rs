@@ -101,11 +101,11 @@ fn shown(folder: &Path, i: usize, medium: &str, argv: &[&str]) -> Shown {
     put(folder, &file, &case);
     let (code, out, err) = told(&freepath(folder, &["medium", &file, "--json"]).output().unwrap());
     assert_eq!((code, err.as_str()), (0, ""));
-    let shown: Vec<freepath_harness::results::MediumResult> = serde_json::from_str(&out).unwrap();
+    let shown: Vec<freepath_results::MediumResult> = serde_json::from_str(&out).unwrap();
     let series = &shown[0].series[0];
     let t: String = series.t.iter().map(|t| format!("{}\n", t.0)).collect();
     put(folder, &format!("adapters/examples/{from}"), &t);
-    let numbers = |of: &[freepath_harness::real::Real]| of.iter().map(|x| x.0).collect();
+    let numbers = |of: &[freepath_results::Real]| of.iter().map(|x| x.0).collect();
     Shown {
         medium: shown[0].medium.clone(),
         t: numbers(&series.t),

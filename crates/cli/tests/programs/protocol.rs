@@ -3,7 +3,7 @@
 use crate::place::Test;
 use crate::scripts::{NUMBER, RIGHT, ready};
 use crate::support::{put, run};
-use freepath_harness::results::Timings;
+use freepath_results::Timings;
 use std::path::Path;
 
 pub(crate) const TESTS: &[Test] = &[

@@ -2,7 +2,7 @@ use super::rows::draw;
 use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::subject::{Scene, Subject};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

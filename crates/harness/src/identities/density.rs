@@ -1,6 +1,6 @@
 use crate::evidence::Fact;
 use crate::subject::{Scene, Subject, Work};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

@@ -1,7 +1,7 @@
 use crate::evidence::Fact;
-use crate::verdict::Reason;
 use freepath_draws::quadrature::integrate;
 use freepath_estimators::Medium;
+use freepath_results::Reason;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

@@ -3,8 +3,8 @@
 
 use super::medium::{CHECK, ROUNDING};
 use crate::evidence::Fact;
-use crate::verdict::Reason;
 use freepath_estimators::Medium;
+use freepath_results::Reason;
 
 /// Places at which optical depths are compared.
 const PLACES: u32 = 61;

@@ -1,7 +1,7 @@
 use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::subject::{Subject, Work};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

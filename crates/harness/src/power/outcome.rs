@@ -3,10 +3,8 @@
 use crate::decide::{Decision, Stage, decide, rejects};
 use crate::evidence::{Evidence, Fact, holm};
 use crate::judge::Judged;
-use crate::real::Real;
-use crate::results::{Rung, Sighting};
 use crate::run::Trial;
-use crate::verdict::Reason;
+use freepath_results::{Real, Reason, Rung, Sighting};
 
 /// The decision on one subject at one number of draws, and what made it.
 pub(super) struct Outcome {

@@ -1,15 +1,14 @@
 //! One subject, at growing draws.
 
+use super::FAMILY;
 use super::outcome::Outcome;
 use super::words::words;
-use super::{FAMILY, FEWEST};
 use crate::case::{Prepared, PreparedSubject};
 use crate::decide::Decision;
 use crate::fault::Expectation;
 use crate::plan::Design;
-use crate::results::{PowerRow, Role, Rung};
 use crate::run::{Cancelled, Options, expected, id, tried, whole};
-use crate::verdict::{Reason, Verdict};
+use freepath_results::{FEWEST_DRAWS, PowerRow, Reason, Role, Rung, Verdict};
 
 /// What is expected of a row, and the reason that it must fail for, if a particular one.
 struct Aim {
@@ -75,7 +74,7 @@ fn climb(
     options: &Options,
     fails: &dyn Fn(&Decision) -> bool,
 ) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
-    let (mut draws, mut ladder) = (FEWEST, Vec::new());
+    let (mut draws, mut ladder) = (FEWEST_DRAWS, Vec::new());
     while draws < whole(prepared.draws) {
         let outcome = Outcome::of(&tried(case, prepared, Some(draws), options)?, draws, FAMILY);
         ladder.push(outcome.rung.clone());

@@ -6,7 +6,7 @@ use crate::evidence::Fact;
 use crate::identities::reproducible::{CHANCE, CHECK, STREAMS, chance};
 use crate::samples::Wanted;
 use crate::source::Refusal;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// Draws of a short start.
 const ROWS: usize = 256;

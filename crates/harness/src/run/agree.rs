@@ -6,7 +6,7 @@ use crate::evidence::Fact;
 use crate::judge::Judged;
 use crate::plan::Plan;
 use crate::subject::Subject;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 use std::ops::Range;
 
 /// One stage of a subject, for its agreements.

@@ -1,7 +1,7 @@
 use crate::decide::Decision;
 use crate::fault::Expectation;
 use crate::plan::Design;
-use crate::verdict::{Reason, Verdict};
+use freepath_results::{Reason, Verdict};
 
 /// What was expected, in words; whether it was computed; and whether the decision is as expected.
 ///

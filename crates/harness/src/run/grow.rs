@@ -13,10 +13,8 @@ use crate::collect::{Collected, Stopped, Watch, collect};
 use crate::evidence::{Evidence, Fact};
 use crate::judge::{Judged, judge};
 use crate::plan::Plan;
-use crate::real::Real;
-use crate::results::{Grown, GrownOutcome};
 use crate::subject::{BLOCK, Subject};
-use crate::verdict::Reason;
+use freepath_results::{Grown, GrownOutcome, Real, Reason};
 
 mod question;
 

@@ -4,10 +4,9 @@ use crate::decide::STAGE_ALPHA;
 use crate::evidence::REPORTING_LEVEL;
 use crate::law::Law;
 use crate::plan::LawPlan;
-use crate::real::Real;
-use crate::results::LifeTable;
 use crate::special::{binomial_cdf, binomial_sf, clopper_pearson};
 use crate::tally::CellTally;
+use freepath_results::{LifeTable, Real};
 
 /// Most rows.
 const MOST_ROWS: usize = 128;
@@ -25,7 +24,7 @@ pub(super) fn of(plan: &LawPlan, breaks: &[f64], tally: &CellTally) -> LifeTable
     let mut at_risk = tally.collided() + tally.escapes;
     for w in stops.windows(2) {
         let collisions = tally.cells[w[0]..w[1]].iter().sum();
-        table.push(at_risk, collisions, law.mass_between(w[0], w[1]) / law.survival(w[0]));
+        add_row(&mut table, at_risk, collisions, law.mass_between(w[0], w[1]) / law.survival(w[0]));
         at_risk -= collisions;
     }
     table
@@ -76,20 +75,18 @@ fn stops(law: &Law, breaks: &[f64]) -> Vec<usize> {
     kept
 }
 
-impl LifeTable {
-    /// A row: collisions among those at risk, each of which had the probability `p`.
-    fn push(&mut self, at_risk: u64, collisions: u64, p: f64) {
-        let hazard = |p: f64| -libm::log1p(-p);
-        let (low, high) = clopper_pearson(at_risk, collisions, REPORTING_LEVEL);
-        let ratio = |seen: f64| Real(hazard(seen) / hazard(p));
-        self.at_risk.push(at_risk);
-        self.collisions.push(collisions);
-        self.expected.push(Real(at_risk as f64 * p));
-        self.ratio.push(ratio(collisions as f64 / at_risk as f64));
-        self.low.push(ratio(low));
-        self.high.push(ratio(high));
-        self.p.push(Real(mid_p(at_risk, p, collisions)));
-    }
+/// Adds a row: collisions among those at risk, each of which had the probability `p`.
+fn add_row(table: &mut LifeTable, at_risk: u64, collisions: u64, p: f64) {
+    let hazard = |p: f64| -libm::log1p(-p);
+    let (low, high) = clopper_pearson(at_risk, collisions, REPORTING_LEVEL);
+    let ratio = |seen: f64| Real(hazard(seen) / hazard(p));
+    table.at_risk.push(at_risk);
+    table.collisions.push(collisions);
+    table.expected.push(Real(at_risk as f64 * p));
+    table.ratio.push(ratio(collisions as f64 / at_risk as f64));
+    table.low.push(ratio(low));
+    table.high.push(ratio(high));
+    table.p.push(Real(mid_p(at_risk, p, collisions)));
 }
 
 /// Twice the smaller of P(X < k) + P(X = k) / 2 and P(X > k) + P(X = k) / 2, at most 1; 1 where nobody is at risk.
@@ -108,7 +105,7 @@ fn mid_p(n: u64, p: f64, k: u64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verdict::Reason;
+    use freepath_results::Reason;
 
     fn law() -> Law {
         Law::new(2.0, 0.0, |t| libm::exp(-1.3 * t))

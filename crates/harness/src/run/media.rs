@@ -1,7 +1,6 @@
 use crate::case::{Prepared, World};
-use crate::real::Real;
-use crate::results::{MediumResult, MediumSeries};
 use freepath_estimators::{Extinction, Medium};
+use freepath_results::{MediumResult, MediumSeries, Real};
 
 /// Points of a medium's plot.
 const POINTS: usize = 300;

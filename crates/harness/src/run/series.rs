@@ -2,11 +2,10 @@
 
 use crate::evidence::REPORTING_LEVEL;
 use crate::plan::LawPlan;
-use crate::real::Real;
-use crate::results::{CdfSeries, HistogramSeries, ResidualSeries, RunningSeries};
 use crate::special::normal_quantile;
 use crate::tally::{CellTally, Running};
 use crate::test::residuals;
+use freepath_results::{CdfSeries, HistogramSeries, Real, ResidualSeries, RunningSeries};
 
 /// Points of a CDF plot.
 const POINTS: usize = 240;

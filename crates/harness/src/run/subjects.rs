@@ -9,17 +9,15 @@ use crate::decide::{Decision, Stage, rejects};
 use crate::evidence::{POWER, REPORTING_LEVEL};
 use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
-use crate::real::Real;
-use crate::results::{
-    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Series,
-    SubjectResult, TestResult,
-};
 use crate::source::samples::SampleFile;
 use crate::special::{clopper_pearson, normal_quantile};
 use crate::subject::Scene;
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Interval, MeanClaim, detectable_cell, detectable_scale, larger, mean};
-use crate::verdict::{Reason, Verdict};
+use freepath_results::{
+    Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Real, Reason, Series,
+    SubjectResult, TestResult, Verdict,
+};
 
 pub(super) fn result(
     cases: &[Prepared],

@@ -1,7 +1,7 @@
 use crate::plan::Plan;
 use crate::subject::Work;
-use crate::verdict::Reason;
 use freepath_draws::Draws;
+use freepath_results::Reason;
 
 /// What is wrong for certain with the first draw that is.
 pub(super) fn draws(work: Work, plan: &Plan, length: f64, draws: &Draws) -> Option<(Reason, String)> {

@@ -6,10 +6,10 @@ use crate::blocks::SCRIPTS;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_from};
 use crate::subject::{Scene, Subject, Work};
-use crate::verdict::Reason;
 use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::Medium;
 use freepath_estimators::medium::{ChromaticMedium, scaled};
+use freepath_results::Reason;
 
 /// exp(-1000) is 0.
 const DEPTH: f64 = 1000.0;

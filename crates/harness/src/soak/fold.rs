@@ -3,15 +3,14 @@
 use super::Options;
 use super::p_values::PValues;
 use super::record::Record;
-use super::results::{
-    AlarmRate, LevelResult, QuantileSeries, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
-};
 use super::trial::Trial;
 use super::uniformity::Row;
 use crate::evidence::holm;
-use crate::real::Real;
 use crate::special::{binomial_sf, clopper_pearson};
 use crate::test::{declares, family};
+use freepath_results::{
+    AlarmRate, LevelResult, QuantileSeries, Real, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
+};
 use std::collections::BTreeMap;
 
 /// The family-wise error of all checks of a soak.

@@ -107,7 +107,7 @@ impl PValues {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::results::MOST_POINTS;
+    use freepath_results::MOST_POINTS;
 
     fn even(n: u32) -> PValues {
         let mut all = PValues::new();

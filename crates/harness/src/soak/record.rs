@@ -7,9 +7,9 @@ use crate::decide::{Adjusted, Stage, adjust, decide_at, suspect_at};
 use crate::evidence::{Evidence, Null};
 use crate::judge::Judged;
 use crate::run::{Cancelled, Progress};
-use crate::verdict::Verdict;
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
+use freepath_results::Verdict;
 use rand::Rng;
 
 /// A p-value with the name of its test.
@@ -128,7 +128,7 @@ fn facts(first: &[Judged], second: &[Option<Judged>]) -> Vec<(usize, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verdict::Reason;
+    use freepath_results::Reason;
 
     fn judged(p: &[f64]) -> Judged {
         let evidence = p.iter().map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased)).collect();

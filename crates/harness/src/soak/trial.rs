@@ -7,7 +7,7 @@ use crate::judge::{Judged, judge};
 use crate::plan::Plan;
 use crate::run::{Cancelled, id};
 use crate::subject::Subject;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 use std::ops::Range;
 
 /// A right subject with its plan, made once for all runs.

@@ -5,7 +5,7 @@ use super::mean::{corrected_p, gate};
 use crate::evidence::{Evidence, Null};
 use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
 use crate::tally::{CellTally, PowerSums};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: [(&str, &str); 4] = [
     (

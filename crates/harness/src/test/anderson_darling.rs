@@ -3,7 +3,7 @@ use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::special::anderson_darling_sf;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The squared gap between the empirical and the analytic CDF of the collided draws, weighed by its inverse \
 variance and integrated (Anderson and Darling 1952). Shown only: it spends no error.";

@@ -1,6 +1,6 @@
 use crate::evidence::{Evidence, Null};
 use crate::special::{binomial_cdf, binomial_two_sided};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The number of escapes is binomial with the transmittance as its probability: exact, two-sided by doubling \
 the smaller tail.";

@@ -3,7 +3,7 @@ use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::{berk_jones_sf, likelihood_ratio};
 use crate::tally::{CellTally, Extremes};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The largest likelihood ratio between the empirical and the analytic CDF of the collided draws (Berk and \
 Jones 1979), over the 512 smallest and 512 largest distances and the edges of the fine cells between: the sharpest test of what \

@@ -2,7 +2,7 @@ use crate::evidence::{Evidence, POWER};
 use crate::law::{Groups, LEAST_SHARE, Law};
 use crate::special::{chi_square_noncentrality, chi_square_sf};
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Counts in nearly equiprobable cells of the free path, and of escapes, against their probabilities \
 (Pearson 1900). 16 cells see broad errors best, 64 and about 2 n^0.4 cells see narrow ones.";

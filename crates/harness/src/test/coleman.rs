@@ -2,7 +2,7 @@ use super::poisson_count::{pmf, pooled};
 use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::tally::CountTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The joint law of the number of tentative collisions and the distance under delta tracking (Coleman 1968): a \
 wrong majorant that leaves the distance right still shows here.";

@@ -3,7 +3,7 @@ use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::special::cramer_von_mises_sf;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The squared gap between the empirical and the analytic CDF of the collided draws, integrated \
 (Cramer 1928, von Mises 1931). Shown only: it spends no error.";

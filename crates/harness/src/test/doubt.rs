@@ -1,6 +1,6 @@
 use super::mean::MeanClaim;
 use crate::tally::PowerSums;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// From this Pareto shape on a mean has no variance, and no interval.
 const HEAVIEST_MEAN: f64 = 0.5;

@@ -4,7 +4,7 @@ use crate::evidence::{Evidence, POWER};
 use crate::law::Law;
 use crate::special::{normal_quantile, pearson_two_sided};
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Collisions against the optical depth that the draws travelled: the score of an extinction that is off by one \
 factor everywhere, which no other test sees as early. The note gives that factor.";

@@ -85,9 +85,9 @@ mod tests {
     use super::*;
     use crate::special::{binomial_two_sided, ks_two_sided};
     use crate::test::{anderson_darling, cramer_von_mises, kuiper};
-    use crate::verdict::Reason;
     use freepath_draws::Key;
     use freepath_draws::random::exponential;
+    use freepath_results::Reason;
 
     const NAMES: [&str; 3] = ["anderson_darling", "cramer_von_mises", "kuiper"];
 

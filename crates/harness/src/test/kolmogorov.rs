@@ -2,7 +2,7 @@ use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::ks_two_sided;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The largest gap between the empirical and the analytic CDF of the collided draws (Kolmogorov 1933), taken \
 over the edges of the fine cells: never above the true D, so the p-value is valid and a few percent conservative. The note \

@@ -4,7 +4,7 @@ use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::special::kuiper_sf;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The largest gap by which the empirical CDF of the collided draws lies above the analytic one, plus the \
 largest below (Kuiper 1960). Shown only: it spends no error.";

@@ -3,7 +3,7 @@ use super::mean::gate;
 use crate::evidence::Evidence;
 use crate::special::{chi_square_sf, pearson_two_sided};
 use crate::tally::{CellTally, LAGS, LagTally, Scores};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Neighbouring draws in drawing order are uncorrelated: the lag-1 product of their ranks under the law, with \
 its exact variance and skewness, beside what their own mean gives.";

@@ -1,7 +1,7 @@
 use super::chi_square::lessened;
 use crate::evidence::{Evidence, Null};
 use crate::special::student_t_two_sided;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The look-ups per draw, as the audit counted them block by block, have the mean that the method must have \
 (Student's t over block totals).";

@@ -2,7 +2,7 @@ use super::chi_square::least_expected;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::MarkTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The mark that a sampler gives with each distance, such as the cosine of the direction it started in, is \
 uniform and independent of the distance: a table of 16 x 16 groups.";

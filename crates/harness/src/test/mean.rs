@@ -7,7 +7,7 @@ use crate::special::{
     binomial_two_sided, clopper_pearson, normal_quantile, normal_two_sided, student_t_two_sided,
 };
 use crate::tally::PowerSums;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The mean against its truth: exact binomial for 0/1; Student's t where skewness, tail and hits allow it, Hall's \
 skewness-corrected statistic where they allow that; empirical Bernstein for bounded draws; otherwise no p-value.";

@@ -3,7 +3,7 @@ use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Neyman's smooth test (1937) with 16 components: Legendre moments of the collided draws' ranks. It sees \
 smooth and boundary errors better than cells do; the note names the largest component.";

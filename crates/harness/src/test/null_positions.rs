@@ -2,7 +2,7 @@ use super::chi_square::least_expected;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::NullTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Real against tentative collisions of delta tracking, along the ray: of the look-ups that the audit saw in a \
 group of distances, each was to be accepted with probability mu / mu_bar at that very place. Asked of the first blocks.";

@@ -1,7 +1,7 @@
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::{LagTally, RANK_GROUPS};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "A table of neighbouring draws, 16 x 16 groups of equal probability under the law with escapes: rows and \
 columns are independent. It sees dependence that leaves no correlation, such as a reused uniform that was folded.";

@@ -2,7 +2,7 @@ use super::chi_square::{least_expected, residual};
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::CountTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The tentative collisions of a walk that never stops are Poisson with the integral of the rate as mean; \
 chi-square over the counts.";

@@ -4,7 +4,7 @@ use super::mean::gate;
 use crate::evidence::{Evidence, Null};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The mean of the squared estimates against its formula, with the standard error from the exact fourth moment and \
 the skewness from the sixth: a weight with the right mean and the wrong spread shows here.";

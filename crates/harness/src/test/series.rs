@@ -2,7 +2,7 @@ use super::{atom, chi_square};
 use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::tally::CellTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "The ray cut in two: a draw that escapes the first part goes on in the second with the same generator, and \
 the whole distance follows the whole law. State or a uniform that is used again across the boundary shows here alone. Not asked of a sampler that never looks mu up.";

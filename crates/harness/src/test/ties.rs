@@ -2,7 +2,7 @@ use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::poisson_sf;
 use crate::tally::TieTally;
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 pub(super) const WORDS: &str = "Equal values among the draws: at the declared resolution almost none are expected, so repeated, quantised or \
 clamped draws stand out. Looked for in a share of all values, chosen by value, and in all of the first draws.";

@@ -3,7 +3,7 @@
 use crate::plot::order::{Ladder, Rung};
 use crate::site::Subject;
 use crate::text::clean;
-use freepath_harness::results::{OrderResult, SubjectResult};
+use freepath_results::{OrderResult, SubjectResult};
 use std::collections::BTreeMap;
 
 /// Fewest step counts that show an order.

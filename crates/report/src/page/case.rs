@@ -7,7 +7,7 @@ use crate::figures::Figures;
 use crate::number::short;
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::results::MediumResult;
+use freepath_results::MediumResult;
 
 /// The section of a case.
 pub(crate) struct CaseView {

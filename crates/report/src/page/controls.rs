@@ -4,8 +4,7 @@ use super::matrix::Letter;
 use super::table::evidence;
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::results::SubjectResult;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{SubjectResult, Verdict};
 
 /// One planted fault and what became of it.
 pub(crate) struct ControlRow {

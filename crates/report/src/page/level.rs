@@ -5,8 +5,7 @@ use crate::figures::Figures;
 use crate::number::{count, short};
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::real::Real;
-use freepath_harness::soak::{AlarmRate, LevelResult, SoakResults, SoakTest};
+use freepath_results::{AlarmRate, LevelResult, Real, SoakResults, SoakTest};
 
 /// Most rows of a table.
 const MOST: usize = 200;

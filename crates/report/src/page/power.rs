@@ -5,7 +5,7 @@ use crate::figures::Figures;
 use crate::number::{count, probability, short};
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::results::{PowerResults, PowerRow, Role};
+use freepath_results::{PowerResults, PowerRow, Role};
 
 /// Most rows of one table.
 const MOST: usize = 500;
@@ -115,7 +115,7 @@ fn caught(of: &PowerRow) -> [String; 3] {
     let Some(needed) = of.needed else {
         return ["nothing".into(), format!("more than {}", count(of.draws)), verdict(of)];
     };
-    let at_most = if needed <= freepath_harness::power::FEWEST { "at most " } else { "" };
+    let at_most = if needed <= freepath_results::FEWEST_DRAWS { "at most " } else { "" };
     let first = of.first.as_ref();
     let name =
         first.map_or(String::new(), |seen| clean(&words(&seen.name), 60) + if seen.fact { " (fact)" } else { "" });
@@ -130,9 +130,8 @@ fn least(of: &PowerRow) -> String {
 }
 
 fn seen(of: &PowerRow) -> String {
-    let words = |s: &freepath_harness::results::Sighting| {
-        format!("{}: {}", clean(&words(&s.name), 60), words(s.reason.code()))
-    };
+    let words =
+        |s: &freepath_results::Sighting| format!("{}: {}", clean(&words(&s.name), 60), words(s.reason.code()));
     let all: Vec<_> = of.fired.iter().take(8).map(words).collect();
     if all.is_empty() { "nothing".into() } else { all.join(", ") }
 }

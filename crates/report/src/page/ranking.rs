@@ -3,7 +3,7 @@
 use crate::number::{digits, short};
 use crate::site::Site;
 use crate::text::clean;
-use freepath_harness::results::{RankedPair, Ranking};
+use freepath_results::{RankedPair, Ranking};
 
 /// Most rows of a table.
 const MOST: usize = 60;
@@ -70,7 +70,7 @@ fn sentence(site: &Site, ranking: &Ranking) -> String {
 }
 
 fn rows(site: &Site, ranking: &Ranking) -> Vec<RankingRow> {
-    let row = |(i, of): (usize, &freepath_harness::results::Ranked)| {
+    let row = |(i, of): (usize, &freepath_results::Ranked)| {
         let pair = against(ranking, &of.id).filter(|_| i > 0);
         let times = |log: f64| digits(libm::exp(log), 3);
         RankingRow {

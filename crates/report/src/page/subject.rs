@@ -7,10 +7,7 @@ use crate::figures::Drawn;
 use crate::number::{count, probability, short};
 use crate::site::Subject;
 use crate::text::clean;
-use freepath_harness::describe::advice;
-use freepath_harness::real::Real;
-use freepath_harness::results::{FactResult, SubjectResult, TestResult};
-use freepath_harness::verdict::Reason;
+use freepath_results::{FactResult, Real, Reason, SubjectResult, TestResult};
 
 /// Most notes and tests that are shown of one subject.
 const MOST: usize = 60;
@@ -97,7 +94,7 @@ impl SubjectView {
 }
 
 fn reason(reason: &Reason) -> ReasonView {
-    let part = |name| paragraph(advice(*reason), name);
+    let part = |name| paragraph(reason.advice(), name);
     ReasonView { code: reason.code(), words: reason.words(), causes: part("Causes:"), advice: part("Do:") }
 }
 

@@ -3,8 +3,7 @@
 use crate::number::{count, seconds, short};
 use crate::site::Site;
 use crate::text::clean;
-use freepath_harness::results::SubjectResult;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{SubjectResult, Verdict};
 
 /// The verdict of the run and its circumstances.
 pub(crate) struct Summary {

@@ -4,7 +4,7 @@ use super::words::{class, lookups};
 use crate::number::{probability, short};
 use crate::site::{Site, Subject};
 use crate::text::{clean, words};
-use freepath_harness::results::{MeanResult, SubjectResult};
+use freepath_results::{MeanResult, SubjectResult};
 
 /// A number as shown and as sorted.
 #[derive(Clone)]
@@ -102,7 +102,7 @@ fn equal(p: String) -> String {
     if p.starts_with('<') { p } else { format!("= {p}") }
 }
 
-fn key(p: Option<freepath_harness::real::Real>) -> f64 {
+fn key(p: Option<freepath_results::Real>) -> f64 {
     p.map_or(2.0, |p| p.0)
 }
 

@@ -2,8 +2,7 @@
 
 use crate::number::{count, short};
 use crate::text::{clean, words};
-use freepath_harness::results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult};
-use freepath_harness::verdict::Verdict;
+use freepath_results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, Verdict};
 
 /// The letter of a verdict in the matrix.
 pub(crate) fn letter(verdict: Verdict) -> &'static str {
@@ -117,7 +116,7 @@ pub(crate) fn law(law: &LawResult) -> Vec<String> {
 
 /// The smallest errors of two plain kinds that would have been seen.
 fn detectable(law: &LawResult) -> Option<String> {
-    let percent = |x: freepath_harness::real::Real| short(100.0 * x.0);
+    let percent = |x: freepath_results::Real| short(100.0 * x.0);
     let scale =
         law.detectable_scale.map(|x| format!("an extinction {} % too large or too small everywhere", percent(x)));
     let cell = law.detectable_cell.map(|x| format!("one cell of 64 with a probability off by {} %", percent(x)));

@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, pairs, reach};
 use crate::draw::{Axis, Ink, Inset, Key, Picture, Stroke};
 use crate::number::short;
-use freepath_harness::results::CdfSeries;
+use freepath_results::CdfSeries;
 
 const DRAWN: Stroke = Stroke::new(Ink::Blue, 1.6);
 const OWN: Stroke = Stroke::new(Ink::Vermillion, 1.6).dashed();

@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, span};
 use crate::draw::{Axis, Frame, Ink, Inset, Key, MARKS, Picture, SERIES, Stroke};
 use crate::text::clean;
-use freepath_harness::results::Efficiency;
+use freepath_results::Efficiency;
 
 /// What an estimator pays, and what for.
 pub(crate) struct Cost<'a> {

@@ -4,8 +4,7 @@ use super::{Figure, WIDTH, reach};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Key, Mark, Picture, SMALL, Stroke, width_of};
 use crate::number::short;
 use crate::text::clean;
-use freepath_harness::results::MeanResult;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{MeanResult, Verdict};
 
 /// Height of a row.
 const ROW: f64 = 21.0;

@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, reach};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, SMALL, Stroke};
 use crate::number::short;
-use freepath_harness::results::{HistogramSeries, MOST_POINTS};
+use freepath_results::{HistogramSeries, MOST_POINTS};
 
 const LAW: Stroke = Stroke::new(Ink::Vermillion, 1.6);
 /// Width of the panel for escapes, with its ticks.
@@ -43,7 +43,7 @@ fn picture(series: &HistogramSeries, subject: &str) -> Picture {
 }
 
 /// The outline of a column of cells.
-fn steps(series: &HistogramSeries, values: &[freepath_harness::real::Real]) -> Vec<Point> {
+fn steps(series: &HistogramSeries, values: &[freepath_results::Real]) -> Vec<Point> {
     let cells = series.edges.windows(2).zip(values).take(MOST_POINTS);
     cells.flat_map(|(edge, value)| [(edge[0].0, value.0), (edge[1].0, value.0)]).collect()
 }

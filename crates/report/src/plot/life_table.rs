@@ -3,8 +3,7 @@
 use super::{Figure, WIDTH, pairs, reach};
 use crate::draw::{Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, Stroke};
 use crate::number::short;
-use freepath_harness::real::Real;
-use freepath_harness::results::{LifeTable, MOST_POINTS, MediumSeries};
+use freepath_results::{LifeTable, MOST_POINTS, MediumSeries, Real};
 
 /// A row of k breaks where its p-value is below this over k.
 const LEVEL: f64 = 1e-3;

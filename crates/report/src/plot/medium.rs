@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, pairs, reach};
 use crate::draw::{Axis, Frame, Ink, Inset, Key, Picture, Point, SERIES, Stroke};
 use crate::number::short;
-use freepath_harness::results::{MediumResult, MediumSeries};
+use freepath_results::{MediumResult, MediumSeries};
 
 const BOUND: Stroke = Stroke::new(Ink::Muted, 1.2);
 const HEIGHT: f64 = 566.0;

@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, span};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Key, Mark, Picture, SMALL, Stroke, width_of};
 use crate::text::{clean, words};
-use freepath_harness::results::{PowerResults, PowerRow, Role};
+use freepath_results::{PowerResults, PowerRow, Role};
 
 /// Height of a row.
 const ROW: f64 = 19.0;

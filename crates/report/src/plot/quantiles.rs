@@ -5,11 +5,8 @@ use crate::draw::{Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, SMALL, Str
 use crate::number::{count, short};
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::real::Real;
-use freepath_harness::results::{MOST_POINTS, SubjectResult};
-use freepath_harness::soak::{QuantileSeries, SoakResults, SoakTest};
 use freepath_harness::special::clopper_pearson;
-use freepath_harness::verdict::Verdict;
+use freepath_results::{MOST_POINTS, QuantileSeries, Real, SoakResults, SoakTest, SubjectResult, Verdict};
 
 /// The level of the band at each rank.
 const LEVEL: f64 = 1e-3;

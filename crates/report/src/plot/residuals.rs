@@ -2,8 +2,7 @@
 
 use super::{Figure, WIDTH, reach};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Picture, Point, SMALL, Stroke};
-use freepath_harness::real::Real;
-use freepath_harness::results::{MOST_POINTS, ResidualSeries};
+use freepath_results::{MOST_POINTS, Real, ResidualSeries};
 
 /// Width of the column for escapes.
 const ASIDE: f64 = 78.0;

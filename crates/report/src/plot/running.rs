@@ -3,7 +3,7 @@
 use super::{Figure, WIDTH, pairs, reach, span};
 use crate::draw::{Axis, Frame, Ink, Inset, Key, Picture, Point, Stroke};
 use crate::number::short;
-use freepath_harness::results::{MeanResult, RunningSeries};
+use freepath_results::{MeanResult, RunningSeries};
 
 const DRAWN: Stroke = Stroke::new(Ink::Blue, 1.8);
 const TRUTH: Stroke = Stroke::new(Ink::Text, 1.2);

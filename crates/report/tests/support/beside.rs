@@ -1,13 +1,11 @@
 //! What `freepath power` and `freepath soak` would leave beside a run.
 
 use super::noise::Noise;
-use freepath_harness::real::Real;
-use freepath_harness::results::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
-use freepath_harness::soak::{
-    AlarmRate, LevelResult, QuantileSeries, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
-};
-use freepath_harness::verdict::{Reason, Verdict};
 use freepath_report::Beside;
+use freepath_results::{
+    AlarmRate, LevelResult, POWER_SCHEMA_VERSION, PowerResults, PowerRow, QuantileSeries, Real, Reason, Role,
+    Rung, SOAK_VERSION, Sighting, SoakAlarm, SoakFact, SoakResults, SoakTest, Verdict,
+};
 
 /// Both, without timings.
 #[must_use]

@@ -1,7 +1,6 @@
 //! Made-up media.
 
-use freepath_harness::real::Real;
-use freepath_harness::results::{MediumResult, MediumSeries};
+use freepath_results::{MediumResult, MediumSeries, Real};
 use serde_json::{Value, json};
 
 /// A medium as its series.

@@ -6,9 +6,7 @@ mod noise;
 mod subjects;
 
 pub(crate) use beside::beside;
-use freepath_harness::results::{
-    Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings,
-};
+use freepath_results::{Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings};
 use media::Medium;
 use noise::Noise;
 

@@ -6,8 +6,7 @@ mod plans;
 
 use super::media::Medium;
 use super::noise::Noise;
-use freepath_harness::results::{AuditResult, FactResult, OrderResult, Series, SubjectResult, TestResult};
-use freepath_harness::verdict::{Reason, Verdict};
+use freepath_results::{AuditResult, FactResult, OrderResult, Reason, Series, SubjectResult, TestResult, Verdict};
 use plans::Plan;
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! A soak in words.
 
-use freepath_harness::soak::{AlarmRate, LevelResult, SoakResults, SoakTest};
+use freepath_results::{AlarmRate, LevelResult, SoakResults, SoakTest};
 
 /// Every test, then the alarms, then what is broken.
 pub(super) fn text(results: &SoakResults) -> String {

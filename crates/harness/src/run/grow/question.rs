@@ -6,7 +6,7 @@ use crate::sequence::{BetaBinomial, Bets, EmpiricalBernstein, Looks, dkw_band, d
 use crate::subject::Subject;
 use crate::tally::{CellTally, PowerSums};
 use crate::test::{Method, interval_at, mean, nearest, within};
-use crate::verdict::Reason;
+use freepath_results::Reason;
 
 /// What a bound is asked for, and the sequences that answer.
 pub(super) struct Question {

@@ -4,12 +4,10 @@ use super::super::media::Medium;
 use super::super::noise::Noise;
 use super::plans::Plan;
 use super::{DRAWS, test};
-use freepath_harness::real::Real;
-use freepath_harness::results::{
-    Atom, CdfSeries, Grown, GrownOutcome, HistogramSeries, LawResult, LifeTable, ResidualSeries, SubjectResult,
-    TestResult,
+use freepath_results::{
+    Atom, CdfSeries, Grown, GrownOutcome, HistogramSeries, LawResult, LifeTable, Real, Reason, ResidualSeries,
+    SubjectResult, TestResult,
 };
-use freepath_harness::verdict::Reason;
 
 pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     let distance = cdf(result, medium, plan, noise);

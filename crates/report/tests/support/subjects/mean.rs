@@ -4,9 +4,7 @@ use super::super::media::Medium;
 use super::super::noise::Noise;
 use super::plans::Plan;
 use super::{DRAWS, test};
-use freepath_harness::real::Real;
-use freepath_harness::results::{ChannelResult, Efficiency, MeanResult, RunningSeries, SubjectResult};
-use freepath_harness::verdict::Reason;
+use freepath_results::{ChannelResult, Efficiency, MeanResult, Real, Reason, RunningSeries, SubjectResult};
 
 pub(crate) fn fill(result: &mut SubjectResult, medium: &Medium, plan: &Plan, noise: &mut Noise) {
     if plan.kind == "chromatic" {

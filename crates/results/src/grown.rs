@@ -1,4 +1,4 @@
-use crate::real::Real;
+use crate::Real;
 use serde::{Deserialize, Serialize};
 
 /// How draws that grew towards a bound came out.

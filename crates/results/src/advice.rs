@@ -1,7 +1,15 @@
-use crate::verdict::Reason;
+use crate::Reason;
+
+impl Reason {
+    /// What gives it, what usually causes it, and what to do.
+    #[must_use]
+    pub fn advice(self) -> &'static str {
+        ADVICE.iter().find(|(known, _)| *known == self).map_or("", |(_, words)| words)
+    }
+}
 
 /// What gives it, what usually causes it, what to do.
-pub(super) const ADVICE: &[(Reason, &str)] = &[
+const ADVICE: &[(Reason, &str)] = &[
     (
         Reason::SubjectError,
         "\
@@ -95,3 +103,13 @@ Given by: one stage that rejects without the other, a bias_bound that the budget
 Do:       draw more: --thorough, --draws N, or a larger budget.",
     ),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_reason_has_its_advice() {
+        assert!(Reason::ALL.iter().all(|reason| !reason.advice().is_empty()));
+    }
+}

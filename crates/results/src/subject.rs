@@ -1,56 +1,5 @@
-//! `results.json`: the product. Reports are views of it.
-
-use crate::real::Real;
-use crate::verdict::{Reason, Verdict};
+use crate::{ChannelResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict};
 use serde::{Deserialize, Serialize};
-
-mod grown;
-mod law;
-mod mean;
-mod medium;
-mod power;
-mod ranking;
-
-pub use grown::{Grown, GrownOutcome};
-pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, LifeTable, ResidualSeries};
-pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
-pub use medium::{MediumResult, MediumSeries};
-pub use power::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
-pub use ranking::{Ranked, RankedPair, Ranking, Refused};
-
-/// The version of this format. Fields are added, never renamed.
-pub const SCHEMA_VERSION: u32 = 1;
-
-/// Most points in a series.
-pub const MOST_POINTS: usize = 512;
-
-/// Everything that a run found, in the order of its cases and subjects.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Results {
-    /// [`SCHEMA_VERSION`].
-    pub schema_version: u32,
-    /// The version of freepath that wrote it.
-    pub version: String,
-    /// The run's seed.
-    pub seed: u64,
-    /// The designed false-alarm rate of the whole run: at most this probability of one wrong `fail`.
-    pub alpha: Real,
-    /// The family-wise error of each of the two stages.
-    pub stage_alpha: Real,
-    /// The level at which intervals, bands, `bound` and `detectable` are given.
-    pub reporting_level: Real,
-    /// How many p-values the run holds, in stage 1 and stage 2.
-    pub p_values: [usize; 2],
-    /// The command that gives these results again.
-    pub repro: String,
-    /// The media, one for each case and ray.
-    pub media: Vec<MediumResult>,
-    /// One for each subject, case and ray.
-    pub results: Vec<SubjectResult>,
-    /// The transmittance estimators of each medium by efficiency.
-    #[serde(skip_serializing_if = "Vec::is_empty", default)]
-    pub rankings: Vec<Ranking>,
-}
 
 /// What was found of one subject in one medium.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -63,7 +12,7 @@ pub struct SubjectResult {
     pub case: String,
     /// Which of the case's rays, from 0, if it has several.
     pub ray: Option<usize>,
-    /// Index into [`Results::media`].
+    /// Index into [`Results::media`](crate::Results::media).
     pub medium: usize,
     /// The subject's name, unique in the case.
     pub subject: String,
@@ -192,26 +141,6 @@ pub struct AuditResult {
     pub out_of_support: u64,
 }
 
-/// What plots draw, at most [`MOST_POINTS`] points each.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
-pub struct Series {
-    /// Empirical minus analytic CDF.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub cdf: Option<CdfSeries>,
-    /// Histogram over the analytic density.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub histogram: Option<HistogramSeries>,
-    /// Chi-square residuals.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub residuals: Option<ResidualSeries>,
-    /// Where along the ray the law breaks.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub life_table: Option<LifeTable>,
-    /// Running mean.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub running: Option<RunningSeries>,
-}
-
 /// A step-count method and what theory says of its bias: |bias| falls like steps^-order.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct OrderResult {
@@ -223,33 +152,4 @@ pub struct OrderResult {
     pub predicted: Real,
     /// The bias of its own law, without noise: of the mean, or sup |F_own - F|.
     pub bias: Real,
-}
-
-/// `timings.json`: every figure that depends on the clock.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Timings {
-    /// The run that these belong to: a hash of results.json.
-    pub run: String,
-    /// Seconds for the whole run.
-    pub seconds: Real,
-    /// Worker threads.
-    pub jobs: usize,
-    /// Instruction set in use.
-    pub isa: String,
-    /// One for each subject, in the order of the results.
-    pub subjects: Vec<SubjectTiming>,
-}
-
-/// The time that one subject took.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct SubjectTiming {
-    /// [`SubjectResult::id`].
-    pub id: String,
-    /// Seconds of sampling, summed over threads, without judging.
-    pub seconds: Real,
-    /// Draws taken in that time.
-    pub draws: u64,
-    /// What it wrote to standard error, if it is a program: up to 64 KiB.
-    #[serde(skip_serializing_if = "String::is_empty", default)]
-    pub log: String,
 }

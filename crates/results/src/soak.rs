@@ -1,6 +1,6 @@
 //! `soak.json`: what many runs of right subjects found.
 
-use crate::real::Real;
+use crate::Real;
 use serde::{Deserialize, Serialize};
 
 /// The version of this format. Fields are added, never renamed.

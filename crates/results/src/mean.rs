@@ -1,5 +1,4 @@
-use super::Grown;
-use crate::real::Real;
+use crate::{Grown, Real};
 use serde::{Deserialize, Serialize};
 
 /// A mean against its truth.

@@ -1,4 +1,4 @@
-use crate::real::Real;
+use crate::Real;
 use serde::{Deserialize, Serialize};
 
 /// One medium along one ray.

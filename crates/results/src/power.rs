@@ -1,11 +1,13 @@
 //! `power.json`: what it takes to see each planted fault.
 
-use crate::real::Real;
-use crate::verdict::{Reason, Verdict};
+use crate::{Real, Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// The version of this format. Fields are added, never renamed.
 pub const POWER_SCHEMA_VERSION: u32 = 1;
+
+/// The fewest draws that are tried.
+pub const FEWEST_DRAWS: u64 = 256;
 
 /// How many draws each fault needs to be seen, and by what.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -67,7 +69,7 @@ pub struct PowerRow {
     pub expected: String,
     /// The draws of stage 1 at full effort: whole blocks.
     pub draws: u64,
-    /// The fewest draws of stage 1, among the doublings of 256 and the full effort, with the failure that is expected; none
+    /// The fewest draws of stage 1, among the doublings of [`FEWEST_DRAWS`] and the full effort, with the failure that is expected; none
     /// if it is not found at full effort.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub needed: Option<u64>,

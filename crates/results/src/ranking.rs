@@ -1,10 +1,10 @@
-use crate::real::Real;
+use crate::Real;
 use serde::{Deserialize, Serialize};
 
 /// The transmittance estimators of one medium by efficiency, 1 / (variance x look-ups).
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Ranking {
-    /// Index into [`Results::media`](super::Results::media).
+    /// Index into [`Results::media`](crate::Results::media).
     pub medium: usize,
     /// The family-wise error at which one is called better than another.
     pub level: Real,

@@ -1,5 +1,4 @@
-use super::Grown;
-use crate::real::Real;
+use crate::{Grown, Real};
 use serde::{Deserialize, Serialize};
 
 /// How far the draws are from the law, and how far they could be.

@@ -1,0 +1,33 @@
+use crate::{MediumResult, Ranking, Real, SubjectResult};
+use serde::{Deserialize, Serialize};
+
+/// The version of this format. Fields are added, never renamed.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// Everything that a run found, in the order of its cases and subjects.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Results {
+    /// [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// The version of freepath that wrote it.
+    pub version: String,
+    /// The run's seed.
+    pub seed: u64,
+    /// The designed false-alarm rate of the whole run: at most this probability of one wrong `fail`.
+    pub alpha: Real,
+    /// The family-wise error of each of the two stages.
+    pub stage_alpha: Real,
+    /// The level at which intervals, bands, `bound` and `detectable` are given.
+    pub reporting_level: Real,
+    /// How many p-values the run holds, in stage 1 and stage 2.
+    pub p_values: [usize; 2],
+    /// The command that gives these results again.
+    pub repro: String,
+    /// The media, one for each case and ray.
+    pub media: Vec<MediumResult>,
+    /// One for each subject, case and ray.
+    pub results: Vec<SubjectResult>,
+    /// The transmittance estimators of each medium by efficiency.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub rankings: Vec<Ranking>,
+}

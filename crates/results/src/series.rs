@@ -1,0 +1,25 @@
+use crate::{CdfSeries, HistogramSeries, LifeTable, ResidualSeries, RunningSeries};
+use serde::{Deserialize, Serialize};
+
+/// Most points in a series.
+pub const MOST_POINTS: usize = 512;
+
+/// What plots draw, at most [`MOST_POINTS`] points each.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+pub struct Series {
+    /// Empirical minus analytic CDF.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cdf: Option<CdfSeries>,
+    /// Histogram over the analytic density.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub histogram: Option<HistogramSeries>,
+    /// Chi-square residuals.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub residuals: Option<ResidualSeries>,
+    /// Where along the ray the law breaks.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub life_table: Option<LifeTable>,
+    /// Running mean.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub running: Option<RunningSeries>,
+}
