@@ -1,7 +1,7 @@
 //! One block of draws: the subject is run behind its faults and the audit, and nothing that it does gets out.
 
 use crate::audit::{Audit, Audited};
-use crate::fault::{BlockPlace, Fault, Faulty, Site, Wrapped};
+use crate::fault::{BlockContext, Fault, FaultyMedium, FaultyRng, WalkContext};
 use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
 use crate::tally::NullTally;
@@ -70,8 +70,8 @@ pub fn sample_block(
 ) -> Result<BlockRecord, String> {
     let record = sample_watched(subject, Streams::new(key), draws, watch)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-    let place = BlockPlace { key: faulty_key(subject, key), first, work: subject.work, scene: subject.scene };
-    subject.faults.iter().for_each(|fault| fault.spoil(&place, draws));
+    let context = BlockContext { key: faulty_key(subject, key), first, work: subject.work, scene: subject.scene };
+    subject.faults.iter().for_each(|fault| fault.corrupt_draws(&context, draws));
     Ok(record)
 }
 
@@ -114,7 +114,7 @@ fn sample_watched(
 
 /// The address of the randomness that `subject` uses at `key`.
 fn faulty_key(subject: &Subject, key: Key) -> Key {
-    subject.faults.iter().fold(key, |key, fault| fault.key(key))
+    subject.faults.iter().fold(key, |key, fault| fault.alter_key(key))
 }
 
 /// The streams that `subject` uses in place of `streams`.
@@ -155,11 +155,11 @@ fn rounding(subject: &Subject) -> f64 {
 }
 
 fn grey(subject: &Subject, truth: &dyn Medium, audited: &Audited, streams: &Streams, draws: &mut Draws) {
-    let clean = !Fault::spoil_lookups(subject.faults);
+    let clean = !Fault::alters_lookups(subject.faults);
     if clean && subject.route == Route::Block {
         block(subject.work, truth, audited, streams, draws);
     } else {
-        let faulty = Faulty::new(Site { medium: audited, key: streams.key() }, subject.faults);
+        let faulty = FaultyMedium::new(WalkContext { medium: audited, key: streams.key() }, subject.faults);
         if subject.one_by_one() {
             one_by_one(subject.work, truth, &faulty, streams, draws);
         } else {
@@ -177,9 +177,9 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
     }
 }
 
-fn one_by_one(work: Work, truth: &dyn Medium, medium: &Faulty, streams: &Streams, draws: &mut Draws) {
+fn one_by_one(work: Work, truth: &dyn Medium, medium: &FaultyMedium, streams: &Streams, draws: &mut Draws) {
     let mut stream = streams.rng();
-    let mut rng = Wrapped::new(&mut stream, medium.overlays());
+    let mut rng = FaultyRng::new(&mut stream, medium.overlays());
     for row in 0..draws.rows {
         let path = loop {
             medium.begin();

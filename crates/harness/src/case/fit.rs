@@ -46,7 +46,7 @@ impl CaseFile {
             return Err(self.refuse(&stated, why));
         }
         let majorants = truth.majorants().clone();
-        let seen = faults.iter().fold(majorants, |bounds, fault| fault.bounds(&**truth, bounds));
+        let seen = faults.iter().fold(majorants, |bounds, fault| fault.alter_majorants(&**truth, bounds));
         if seen == *truth.majorants() {
             return Ok(truth.clone());
         }

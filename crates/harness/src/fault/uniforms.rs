@@ -1,46 +1,14 @@
-use super::overlay::Overlay;
-use freepath_draws::random::StreamRng;
-use rand::{Rng, TryRng};
-use std::convert::Infallible;
+//! Faults laid over the uniforms of one walk at a time: the subject is driven by its scalar method.
 
-/// The generator of the scalar method behind faults that concern uniforms.
-pub struct Wrapped<'a, 'b> {
-    stream: &'b mut StreamRng<'a>,
-    overlays: &'b [Box<dyn Overlay + 'b>],
-}
+use super::Layer;
 
-impl<'a, 'b> Wrapped<'a, 'b> {
-    /// `stream` behind `overlays`.
-    #[must_use]
-    pub fn new(stream: &'b mut StreamRng<'a>, overlays: &'b [Box<dyn Overlay + 'b>]) -> Self {
-        Self { stream, overlays }
-    }
-}
+pub(super) mod closed_end;
+pub(super) mod mirrored_uniforms;
+pub(super) mod repeated_flight;
+pub(super) mod reused_start;
+pub(super) mod shared_uniform;
+pub(super) mod wrong_wedge;
+pub(super) mod zero_step;
 
-/// The next word of `stream` through all of `overlays`.
-fn word(stream: &mut StreamRng, overlays: &[Box<dyn Overlay + '_>]) -> u64 {
-    match overlays.split_last() {
-        Some((last, others)) => last.word(&mut || word(stream, others)),
-        None => stream.next_u64(),
-    }
-}
-
-impl TryRng for Wrapped<'_, '_> {
-    type Error = Infallible;
-
-    fn try_next_u32(&mut self) -> Result<u32, Infallible> {
-        self.try_next_u64().map(|word| (word >> 32) as u32)
-    }
-
-    fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        Ok(word(self.stream, self.overlays))
-    }
-
-    fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
-        for chunk in bytes.chunks_mut(8) {
-            let word = self.try_next_u64()?.to_le_bytes();
-            chunk.copy_from_slice(&word[..chunk.len()]);
-        }
-        Ok(())
-    }
-}
+/// The layer of every fault in this folder.
+pub(super) const LAYER: Layer = Layer::Uniforms;

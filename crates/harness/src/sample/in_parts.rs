@@ -1,6 +1,6 @@
 use super::{Unfinished, faulty_streams, rounding, why};
 use crate::audit::{Audit, Audited};
-use crate::fault::{Faulty, Site, Wrapped};
+use crate::fault::{FaultyMedium, FaultyRng, WalkContext};
 use crate::subject::{Scene, Subject, Work};
 use freepath_draws::random::StreamRng;
 use freepath_draws::{Key, Streams};
@@ -25,8 +25,8 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
     let budget = subject.lookups_per_draw.saturating_mul(t.len() as u64);
     let audited = [&head, &tail].map(|part| Audited::new(part, budget, rounding(subject)));
     let streams = faulty_streams(subject, Streams::new(key)).with_budget(budget);
-    let site = |medium| Site { medium, key: streams.key() };
-    let parts = [&audited[0], &audited[1]].map(|audited| Faulty::new(site(audited), subject.faults));
+    let context = |medium| WalkContext { medium, key: streams.key() };
+    let parts = [&audited[0], &audited[1]].map(|audited| FaultyMedium::new(context(audited), subject.faults));
     let run = AssertUnwindSafe(|| {
         let mut rng = streams.rng();
         for t in t.iter_mut() {
@@ -48,10 +48,10 @@ pub fn sample_in_parts(subject: &Subject, cut: f64, key: Key, t: &mut [f64]) -> 
 }
 
 /// The distance in one part; one that lies outside of it is nowhere.
-fn draw(sampler: &dyn FreePathSampler, part: &Faulty, rng: &mut StreamRng) -> f64 {
+fn draw(sampler: &dyn FreePathSampler, part: &FaultyMedium, rng: &mut StreamRng) -> f64 {
     let t = loop {
         part.begin();
-        let path = sampler.sample(part, &mut Wrapped::new(rng, part.overlays()));
+        let path = sampler.sample(part, &mut FaultyRng::new(rng, part.overlays()));
         if let Some(path) = part.finish(path) {
             break path.t;
         }

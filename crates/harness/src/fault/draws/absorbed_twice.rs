@@ -1,0 +1,34 @@
+use crate::fault::{BlockContext, Injection, Target};
+use crate::scene::Scene;
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
+use freepath_estimators::parameter::not_negative;
+
+/// Absorption is in the flight and once more in the weight (structural-color, issue 51).
+///
+/// ```text
+/// right: mu_t with the albedo as weight, or mu_s with exp(-mu_a t);   wrong: mu_t with exp(-mu_a t)
+/// ```
+///
+/// Shows in: the mean at the end of the ray; hardly where little is absorbed.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AbsorbedTwice {
+    /// Absorption, the part of mu that is counted twice, 1/length.
+    mu_a: f64,
+}
+
+impl Injection for AbsorbedTwice {
+    fn check(&self) -> Result<(), ParameterError> {
+        not_negative("mu_a", self.mu_a).map(drop)
+    }
+    fn fits(&self, target: &Target) -> Result<(), String> {
+        target.is_a("transmittance")
+    }
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
+        if let Scene::Grey { truth, .. } = context.scene {
+            let factor = libm::exp(-self.mu_a * truth.length());
+            draws.weight.iter_mut().for_each(|weight| *weight *= factor);
+        }
+    }
+}

@@ -1,0 +1,31 @@
+use crate::fault::{BlockContext, Injection, Target};
+use freepath_draws::Draws;
+use freepath_estimators::ParameterError;
+use freepath_estimators::parameter::positive;
+
+/// A transmittance below a threshold is taken for none, without roulette (instant-ngp, issue 384; gsplat, issue 541; Cycles,
+/// commit 6b34e594d).
+///
+/// ```text
+/// right: roulette;   wrong: T := 0 where T < below
+/// ```
+///
+/// Shows in: the mean, all of it where T is below the threshold; hardly where T is far above.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TruncatedWeight {
+    /// Estimates below it become 0.
+    below: f64,
+}
+
+impl Injection for TruncatedWeight {
+    fn check(&self) -> Result<(), ParameterError> {
+        positive("below", self.below).map(drop)
+    }
+    fn fits(&self, target: &Target) -> Result<(), String> {
+        target.is_a("transmittance")
+    }
+    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) {
+        draws.weight.iter_mut().filter(|weight| **weight < self.below).for_each(|weight| *weight = 0.0);
+    }
+}

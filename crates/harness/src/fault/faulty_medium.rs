@@ -1,0 +1,83 @@
+use super::{Fault, Layer, Overlay, RayView, WalkContext};
+use freepath_estimators::{Cells, Extinction, FreePath, Majorants};
+
+/// The medium as a subject with faulty look-ups sees it. It stands between the subject and the audit, which sees what the
+/// medium really answers.
+pub struct FaultyMedium<'a> {
+    medium: &'a dyn Extinction,
+    ray: RayView,
+    /// Outermost first.
+    overlays: Vec<Box<dyn Overlay + 'a>>,
+}
+
+impl<'a> FaultyMedium<'a> {
+    /// The medium of `context` behind those of `faults` that concern look-ups or walks.
+    #[must_use]
+    pub fn new(context: WalkContext<'a>, faults: &'a [Fault]) -> Self {
+        let medium = context.medium;
+        let mut ray = RayView {
+            length: medium.length(),
+            majorants: medium.majorants().clone(),
+            breaks: medium.breaks().to_vec(),
+        };
+        faults.iter().for_each(|fault| fault.alter_ray(&mut ray));
+        Self { medium, ray, overlays: faults.iter().filter_map(|fault| fault.overlay(context)).collect() }
+    }
+
+    /// Begins another walk.
+    pub fn begin(&self) {
+        self.overlays.iter().for_each(|overlay| overlay.begin());
+    }
+
+    /// What becomes of a draw; none if it is drawn again.
+    #[must_use]
+    pub fn finish(&self, path: FreePath) -> Option<FreePath> {
+        self.overlays.iter().try_fold(path, |path, overlay| overlay.finish(path))
+    }
+
+    /// What stands before the stream.
+    #[must_use]
+    pub fn overlays(&self) -> &[Box<dyn Overlay + 'a>] {
+        &self.overlays
+    }
+}
+
+impl Extinction for FaultyMedium<'_> {
+    fn length(&self) -> f64 {
+        self.ray.length
+    }
+    fn mu(&self, t: f64) -> f64 {
+        let place = self.overlays.iter().fold(t, |t, overlay| overlay.place(t));
+        let mu = self.medium.mu(place);
+        self.overlays.iter().rev().fold(mu, |mu, overlay| overlay.answer(place, mu))
+    }
+    fn majorants(&self) -> &Majorants {
+        &self.ray.majorants
+    }
+    fn breaks(&self) -> &[f64] {
+        &self.ray.breaks
+    }
+    fn cells(&self) -> Cells {
+        self.medium.cells()
+    }
+}
+
+impl Fault {
+    /// Whether any of `faults` stands between the subject and its look-ups.
+    #[must_use]
+    pub fn alters_lookups(faults: &[Self]) -> bool {
+        faults.iter().any(|fault| match fault.layer() {
+            Layer::LookUps | Layer::Walk | Layer::Uniforms => true,
+            Layer::Majorants | Layer::Draws | Layer::Channels => false,
+        })
+    }
+
+    /// Whether any of `faults` can only be laid over one walk at a time.
+    #[must_use]
+    pub fn need_scalar(faults: &[Self]) -> bool {
+        faults.iter().any(|fault| match fault.layer() {
+            Layer::Walk | Layer::Uniforms => true,
+            Layer::Majorants | Layer::LookUps | Layer::Draws | Layer::Channels => false,
+        })
+    }
+}
