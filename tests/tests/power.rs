@@ -66,8 +66,8 @@ fn what_is_right_is_never_caught() {
 
 #[test]
 fn a_setting_that_does_not_hide_its_fault_is_told() {
-    let innocent = r#""innocent": true, "expect": { "fail": "bound_violated" }"#;
-    let results = table(&[short(0.9999, innocent), short(0.6, innocent)].join(", "), 500_000);
+    let masks_fault = r#""innocent": true, "expect": { "fail": "bound_violated" }"#;
+    let results = table(&[short(0.9999, masks_fault), short(0.6, masks_fault)].join(", "), 500_000);
     let [hidden, seen] = &results.rows[..] else { panic!("{results:?}") };
     assert!(hidden.role == Role::Hidden && hidden.silent && hidden.as_expected, "{hidden:?}");
     assert!(hidden.fired.iter().all(|seen| seen.fact) && hidden.verdict == Verdict::Fail);

@@ -34,7 +34,7 @@ pub struct PowerResults {
 pub enum Role {
     /// It must fail, for the reason that is expected.
     Caught,
-    /// An innocent setting: it hides its fault from every p-value, and at most a fact tells.
+    /// Its setting masks its fault: it is hidden from every p-value, and at most a fact tells.
     Hidden,
     /// It is right, though it looks like a fault, and must pass.
     Passes,

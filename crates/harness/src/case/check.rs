@@ -33,15 +33,15 @@ impl CaseFile {
                 let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
                 fault.check().map_err(refused)?;
             }
-            self.check_innocent(&at, subject)?;
+            self.check_masks_fault(&at, subject)?;
         }
         self.check_effort()
     }
 
-    /// An innocent setting hides a fault, and says what is to be found all the same.
-    fn check_innocent(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
+    /// A setting that masks its fault says what it hides, and what is to be found all the same.
+    fn check_masks_fault(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
         let faults = subject.fault.as_ref().map_or(0, |faults| faults.0.len());
-        if subject.innocent && (faults == 0 || subject.expect.is_none()) {
+        if subject.masks_fault && (faults == 0 || subject.expect.is_none()) {
             let why = "an innocent setting needs what it hides and what is expected (a `fault` and an `expect`)";
             return Err(self.refuse(&format!("{at}.innocent"), why));
         }

@@ -177,7 +177,7 @@ fn a_fault_is_refused_where_it_does_not_fit() {
 }
 
 #[test]
-fn an_innocent_setting_says_what_it_hides() {
+fn a_setting_that_masks_its_fault_says_what_it_hides() {
     let text = format!(r#"{{ "title": "t", "medium": {A}, "subjects": [ {{ {DELTA}, "innocent": true }} ] }}"#);
     let refused = CaseFile::parse(Path::new("case.json"), text).expect("a case").prepare(&Limits::default());
     let message = refused.err().map(|error| error.to_string()).unwrap_or_default();

@@ -19,7 +19,7 @@ struct Aim {
 impl Aim {
     fn of(prepared: &PreparedSubject, design: Design) -> Self {
         let (role, reason) = match (prepared.spec.expect, !prepared.faults.is_empty(), design) {
-            _ if prepared.spec.innocent => (Role::Hidden, None),
+            _ if prepared.spec.masks_fault => (Role::Hidden, None),
             (Some(Expectation::Fail(reason)), ..) => (Role::Caught, Some(reason)),
             (Some(Expectation::Pass), ..) => (Role::Passes, None),
             (None, true, _) => (Role::Caught, None),

@@ -48,7 +48,7 @@ pub(super) fn result(
         expected_by_design: by_design,
         as_expected,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
-        innocent: prepared.spec.innocent,
+        masks_fault: prepared.spec.masks_fault,
         draws_requested: prepared.draws,
         draws: seen.map_or(0, |seen| seen.draws),
         draws_left: prepared.source.as_ref().and_then(Origin::file).map_or(0, SampleFile::left),

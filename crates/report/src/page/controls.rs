@@ -19,7 +19,7 @@ pub(crate) struct ControlRow {
 
 /// A fault that its setting hides, or that does no harm, must pass.
 fn outcome(result: &SubjectResult) -> &'static str {
-    match (result.as_expected, result.verdict, result.innocent) {
+    match (result.as_expected, result.verdict, result.masks_fault) {
         (false, ..) => "not as expected",
         (true, Verdict::Pass, true) => "hidden, as it must be",
         (true, Verdict::Pass, false) => "harmless, and passes",

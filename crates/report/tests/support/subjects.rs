@@ -47,7 +47,7 @@ fn blank(medium: &Medium, i: usize, plan: &Plan) -> SubjectResult {
         verdict: Verdict::Pass, reasons: vec![], notes: vec![],
         expected: "pass".into(), expected_by_design: plan.order.is_some(), as_expected: true,
         faults: plan.fault.iter().map(ToString::to_string).collect(),
-        innocent: false,
+        masks_fault: false,
         draws_requested: 1_000_000, draws: DRAWS, draws_stage2: 0, draws_left: 0,
         mean: None, law: None, channels: vec![], tests: vec![], facts: vec![], series: Series::default(),
         lookups: plan.lookups.into(), lookups_expected: Some(plan.lookups.into()),
