@@ -8,9 +8,10 @@ use freepath_estimators::FreePathSampler;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Gaussian;
 use freepath_harness::collect::{Watch, collect};
-use freepath_harness::judge::{Judged, judge};
+use freepath_harness::judge::judge;
 use freepath_harness::plan::Plan;
 use freepath_harness::subject::{BLOCK, Scene, Subject, Work};
+use freepath_statistics::Judged;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 

@@ -2,7 +2,7 @@
 
 use crate::multinomial::counts;
 use crate::tail::Tail;
-use freepath_harness::tally::PowerSums;
+use freepath_statistics::tally::PowerSums;
 
 /// Points and their probabilities.
 #[derive(Clone, Debug)]
@@ -171,7 +171,7 @@ fn divergence(q: &[f64], p: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freepath_harness::special::binomial_sf;
+    use freepath_statistics::special::binomial_sf;
 
     #[test]
     fn the_tail_of_a_coin_is_binomial() {

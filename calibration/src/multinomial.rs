@@ -1,7 +1,7 @@
 //! Pearson's chi-square of a multinomial count.
 
 use crate::tail::Tail;
-use freepath_harness::special::chi_square_sf;
+use freepath_statistics::special::chi_square_sf;
 use rand::Rng;
 use rand_distr::{Binomial, Distribution, Gamma};
 
@@ -124,7 +124,7 @@ mod tests {
         let two = Multinomial::expecting(&[400.0, 400.0]);
         let begin = quantile(|x| chi_square_sf(1.0, x), 1e-6);
         let least = (0..=800).find(|&k| two.statistic(&[400 + k, 400 - k]) >= begin).expect("the tail begins");
-        let exact = 2.0 * freepath_harness::special::binomial_sf(800, 0.5, 400 + least);
+        let exact = 2.0 * freepath_statistics::special::binomial_sf(800, 0.5, 400 + least);
         let (level, error) = two.level(1e-6, 1, 100_000).probability();
         assert!((level - exact).abs() < 5.0 * error && error < 0.05 * exact, "{level} {error} {exact}");
     }

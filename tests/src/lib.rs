@@ -4,12 +4,13 @@ pub mod tools;
 
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::collect::{Stopped, Watch, collect};
-use freepath_harness::decide::{Decision, Stage, adjust, decide, suspect};
-use freepath_harness::judge::{Judged, judge};
+use freepath_harness::judge::judge;
 use freepath_harness::plan::Plan;
 use freepath_harness::run::{Options, run};
 use freepath_harness::subject::Subject;
 use freepath_results::Results;
+use freepath_statistics::Judged;
+use freepath_statistics::decide::{Decision, Stage, adjust, decide, suspect};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 

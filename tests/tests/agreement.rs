@@ -7,11 +7,11 @@ use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium, Transmi
 use freepath_harness::agree::{Agreement, Variant, agree};
 use freepath_harness::case::Claim;
 use freepath_harness::collect::{Watch, collect};
-use freepath_harness::evidence::Evidence;
 use freepath_harness::judge::judge;
 use freepath_harness::plan::Plan;
-use freepath_harness::special::binomial_sf;
 use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_statistics::Evidence;
+use freepath_statistics::special::binomial_sf;
 use freepath_tests::{parse, results};
 use rand::Rng;
 use std::sync::Arc;

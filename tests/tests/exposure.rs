@@ -2,11 +2,11 @@
 
 use freepath_draws::Key;
 use freepath_draws::random::exponential;
-use freepath_harness::law::Law;
-use freepath_harness::special::{binomial_two_sided, normal_quantile, normal_sf};
-use freepath_harness::tally::CellTally;
-use freepath_harness::test::{atom, chi_square, exposure};
 use freepath_results::Reason;
+use freepath_statistics::Law;
+use freepath_statistics::hypothesis::{atom, chi_square, exposure};
+use freepath_statistics::special::{binomial_two_sided, normal_quantile, normal_sf};
+use freepath_statistics::tally::CellTally;
 
 const LEVEL: f64 = 1e-3;
 const LENGTH: f64 = 2.0;

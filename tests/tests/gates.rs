@@ -1,12 +1,12 @@
 //! The gates that keep a p-value from being used where docs/levels.md says that it is not true.
 
-use freepath_harness::law::Law;
-use freepath_harness::tally::{CellTally, CountTally, LAGS, LagTally, PowerSums, Scores};
-use freepath_harness::test::{
+use freepath_results::Reason;
+use freepath_statistics::Law;
+use freepath_statistics::hypothesis::{
     BlockLookups, MeanClaim, Method, chi_square, kolmogorov, lag, least_expected, lookups, mean, poisson_count,
     residuals, second_moment,
 };
-use freepath_results::Reason;
+use freepath_statistics::tally::{CellTally, CountTally, LAGS, LagTally, PowerSums, Scores};
 
 /// Counts of `n` draws, as near to the law as integers can be.
 fn tally(law: &Law, n: u64) -> CellTally {

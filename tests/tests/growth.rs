@@ -147,7 +147,7 @@ fn the_level_holds_over_many_seeds() {
         let p: Vec<f64> = (0..SEEDS).map(|seed| grown(&run(seed)).p.0).collect();
         for level in [0.01, 0.05, 0.25] {
             let below = p.iter().filter(|p| !(**p > level)).count() as u64;
-            let chance = freepath_harness::special::binomial_sf(SEEDS, level, below);
+            let chance = freepath_statistics::special::binomial_sf(SEEDS, level, below);
             assert!(chance > 1e-6, "{subject}: {below} of {SEEDS} at or below {level}");
         }
     }

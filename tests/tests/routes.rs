@@ -2,11 +2,12 @@
 
 use freepath_harness::case::{Claim, Limits, PreparedSubject};
 use freepath_harness::collect::{Stopped, Watch, collect};
-use freepath_harness::decide::{Stage, adjust, decide, suspect};
-use freepath_harness::judge::{Judged, judge};
+use freepath_harness::judge::judge;
 use freepath_harness::plan::{Design, Plan};
 use freepath_harness::run::expected;
 use freepath_harness::subject::{Route, Subject};
+use freepath_statistics::Judged;
+use freepath_statistics::decide::{Stage, adjust, decide, suspect};
 use freepath_tests::{case_paths, load};
 use std::sync::atomic::AtomicBool;
 

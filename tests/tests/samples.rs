@@ -3,8 +3,8 @@
 use freepath_draws::Key;
 use freepath_draws::random::{exponential, uniform};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
-use freepath_harness::special::binomial_sf;
 use freepath_results::{Reason, SubjectResult, Verdict};
+use freepath_statistics::special::binomial_sf;
 use freepath_tests::results;
 use std::path::{Path, PathBuf};
 

@@ -3,9 +3,9 @@
 
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
-use freepath_harness::sequence::{BetaBinomial, Bets, Capitals, EmpiricalBernstein};
-use freepath_harness::special::binomial_sf;
-use freepath_harness::tally::PowerSums;
+use freepath_statistics::sequence::{BetaBinomial, Bets, Capitals, EmpiricalBernstein};
+use freepath_statistics::special::binomial_sf;
+use freepath_statistics::tally::PowerSums;
 
 const PATHS: u64 = 2000;
 const BLOCKS: u64 = 60;

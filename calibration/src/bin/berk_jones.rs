@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release -p freepath-calibration --bin berk_jones -- table --replicates 100000 \
-//!     > crates/harness/src/special/berk_jones/quantiles.rs
+//!     > crates/statistics/src/special/berk_jones/quantiles.rs
 //! cargo run --release -p freepath-calibration --bin berk_jones -- check --replicates 20000
 //! ```
 //!
@@ -12,14 +12,14 @@
 //! Time: some 10 ms for each replicate of all rows, over the number of threads.
 
 use clap::{Parser, ValueEnum};
-use freepath_harness::special::berk_jones_sf;
-use freepath_harness::test::BerkJones;
+use freepath_statistics::hypothesis::BerkJones;
+use freepath_statistics::special::berk_jones_sf;
 use rand::{RngExt, SeedableRng};
 use rand_distr::{Binomial, Distribution};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
-const KEPT: usize = freepath_harness::tally::KEPT;
+const KEPT: usize = freepath_statistics::tally::KEPT;
 
 /// The p-values of the columns.
 const LEVELS: [f64; 16] =

@@ -9,8 +9,8 @@ pub(crate) use fields::Field;
 use fields::fields;
 use freepath_harness::case;
 use freepath_harness::describe;
-use freepath_harness::test;
 use freepath_results::Reason;
+use freepath_statistics::hypothesis;
 use serde_json::Value;
 
 /// One name.
@@ -74,7 +74,7 @@ pub(crate) fn entries() -> Vec<Entry> {
 
 fn tests() -> impl Iterator<Item = Entry> {
     let named = |kind| move |entry: &(&'static str, &'static str)| (kind, entry.0, entry.1);
-    let all = test::NAMES.iter().map(named("test")).chain(test::CHECKS.iter().map(named("check")));
+    let all = hypothesis::NAMES.iter().map(named("test")).chain(describe::CHECKS.iter().map(named("check")));
     all.map(|(kind, name, words)| Entry {
         kind,
         name: name.to_string(),

@@ -3,9 +3,10 @@
 
 use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::describe::CHECKS;
 use freepath_harness::fault::Fault;
-use freepath_harness::test::{CHECKS, NAMES};
 use freepath_results::Reason;
+use freepath_statistics::hypothesis::NAMES;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -10,12 +10,12 @@
 //! Each draws as much again, from streams of its own, and is one two-sample test in each stage. Nobody needs to know tau.
 
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::evidence::{Evidence, Fact};
 use crate::judge::judge;
 use crate::plan::Plan;
 use crate::subject::{Scene, Subject};
-use crate::test::{Sample, agree_atom, agree_law, agree_mean};
 use freepath_estimators::Medium;
+use freepath_statistics::hypothesis::{Sample, agree_atom, agree_law, agree_mean};
+use freepath_statistics::{Evidence, Fact};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;

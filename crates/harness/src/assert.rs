@@ -1,14 +1,15 @@
 //! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
 
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::decide::{Decision, Stage, adjust, decide, suspect};
-use crate::judge::{Judged, judge};
+use crate::judge::judge;
 use crate::noiseless;
 use crate::plan::Plan;
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_estimators::medium::Chromatic;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_results::Verdict;
+use freepath_statistics::Judged;
+use freepath_statistics::decide::{Decision, Stage, adjust, decide, suspect};
 use std::fmt::Write;
 use std::panic::Location;
 use std::sync::atomic::AtomicBool;

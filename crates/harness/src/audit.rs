@@ -1,9 +1,9 @@
 //! Counts and checks every look-up of a subject, before anything that the subject may do with it.
 
-use crate::tally::NullTally;
 use freepath_draws::random::Spent;
 use freepath_draws::simd;
 use freepath_estimators::{Cells, Extinction, Majorants};
+use freepath_statistics::tally::NullTally;
 use std::cell::{Cell, RefCell};
 use std::fmt;
 
@@ -62,6 +62,9 @@ impl Audit {
         }
     }
 }
+
+/// Look-ups whose bounds are asked for at a time.
+const TILE: usize = 256;
 
 /// A medium whose look-ups are on record. One for each block, on one thread.
 ///
@@ -126,8 +129,8 @@ impl<'a> Audited<'a> {
                 |_| bound,
             );
         }
-        let (mut bounds, mut sum) = ([0.0; 256], (0, 0));
-        for (t, mu) in t.chunks(256).zip(mu.chunks(256)) {
+        let (mut bounds, mut sum) = ([0.0; TILE], (0, 0));
+        for (t, mu) in t.chunks(TILE).zip(mu.chunks(TILE)) {
             let bounds = &mut bounds[..t.len()];
             majorants.mu_bar_tile(t, bounds);
             let (out, over) = count(
@@ -144,8 +147,12 @@ impl<'a> Audited<'a> {
 
     #[inline(always)]
     fn tell(&self, t: &[f64], mu: &[f64]) {
-        if let Some(watch) = self.watch {
-            watch.borrow_mut().look_ups(self.medium.majorants(), t, mu);
+        let Some(watch) = self.watch else { return };
+        let (mut watch, mut bounds) = (watch.borrow_mut(), [0.0; TILE]);
+        for (t, mu) in t.chunks(TILE).zip(mu.chunks(TILE)) {
+            let bounds = &mut bounds[..t.len()];
+            self.medium.majorants().mu_bar_tile(t, bounds);
+            watch.look_ups(t, mu, bounds);
         }
     }
 
@@ -199,9 +206,11 @@ impl Extinction for Audited<'_> {
 
     fn mu(&self, t: f64) -> f64 {
         let mu = self.medium.mu(t);
-        let bound = self.medium.majorants().mu_bar_at(t) * self.rounding;
-        self.tell(&[t], &[mu]);
-        let over = above(mu, bound);
+        let bound = self.medium.majorants().mu_bar_at(t);
+        if let Some(watch) = self.watch {
+            watch.borrow_mut().look_ups(&[t], &[mu], &[bound]);
+        }
+        let over = above(mu, bound * self.rounding);
         if over > 0 {
             self.keep(&[t], &[mu]);
         }

@@ -4,7 +4,9 @@
 mod checks;
 mod tests;
 
-/// Formula, gate and source of a test of [`NAMES`](crate::test::NAMES), or what a check compares with what.
+pub use checks::CHECKS;
+
+/// Formula, gate and source of a test of [`NAMES`](freepath_statistics::hypothesis::NAMES), or what a check of [`CHECKS`] compares with what.
 #[must_use]
 pub fn details(name: &str) -> Option<&'static str> {
     let all = tests::DETAILS.iter().chain(checks::DETAILS);
@@ -14,7 +16,8 @@ pub fn details(name: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod guard {
     use super::{checks, details, tests};
-    use crate::test::{CHECKS, NAMES};
+    use crate::describe::CHECKS;
+    use freepath_statistics::hypothesis::NAMES;
 
     #[test]
     fn everything_that_has_a_name_has_details_and_nothing_else_has() {

@@ -17,9 +17,9 @@
 //!
 //! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
 
-use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::subject::{Scene, Subject};
+use freepath_statistics::Fact;
 
 mod composition;
 mod counts;

@@ -2,53 +2,45 @@
 
 use crate::audit::Audit;
 use crate::collect::{Collected, Joint};
-use crate::evidence::{Evidence, Fact, Null};
-use crate::law::Law;
 use crate::plan::{ChannelClaim, LawPlan, MeanPlan, Plan, Survivals};
 use crate::subject::{Scene, Subject, Work};
-use crate::tally::{CellTally, Extremes, PowerSums};
-use crate::test;
 use freepath_estimators::Medium;
 use freepath_results::Reason;
-
-/// What can be said of a subject after one stage.
-#[derive(Clone, Debug, Default)]
-pub struct Judged {
-    /// Tests with p-values, and those withheld.
-    pub evidence: Vec<Evidence>,
-    /// What contradicts a claim for certain.
-    pub facts: Vec<Fact>,
-    /// What could not be judged.
-    pub gates: Vec<(Reason, String)>,
-}
+use freepath_statistics::tally::{CellTally, Extremes, PowerSums};
+use freepath_statistics::{Evidence, Fact, Judged, Law, Null, hypothesis};
 
 /// Puts the claims of `plan` to what was collected.
 #[must_use]
 pub fn judge(subject: &Subject, plan: &Plan, seen: &Collected) -> Judged {
-    let mut judged = Judged::default();
-    judged.audit(plan, seen);
-    judged.few(subject, seen);
+    let mut findings = Findings::default();
+    findings.audit(plan, seen);
+    findings.few(subject, seen);
     if let (Some(law), Some(cells)) = (&plan.law, &seen.counts.cells) {
-        judged.law(subject, plan, law, cells, seen);
+        findings.law(subject, plan, law, cells, seen);
     }
     if let (Some(mean), Some(sums), true) = (&plan.mean, &seen.mean, plan.known) {
-        judged.mean(mean, sums);
+        findings.mean(mean, sums);
     }
     if let Some(channels) = &plan.channels {
         if let Some(integral) = channels.pdf_integral {
-            judged.evidence.push(pdf_integral(integral));
+            findings.judged.evidence.push(pdf_integral(integral));
         }
         for (claim, sums) in channels.claims.iter().zip(&seen.channels) {
-            judged.channel(claim, sums);
+            findings.channel(claim, sums);
         }
     }
     if let (Some(mean), Some(counts)) = (plan.poisson, &seen.counts.collisions) {
-        judged.evidence.push(test::poisson_count(counts, mean, subject.tolerance));
+        findings.judged.evidence.push(hypothesis::poisson_count(counts, mean, subject.tolerance));
     }
     if let Some(expected) = plan.lookups {
-        judged.evidence.push(test::lookups(&seen.counts.lookups, subject.rows, expected, subject.tolerance));
+        findings.judged.evidence.push(hypothesis::lookups(
+            &seen.counts.lookups,
+            subject.rows,
+            expected,
+            subject.tolerance,
+        ));
     }
-    judged
+    findings.judged
 }
 
 /// Collisions in cells where there is nothing to collide with; none are counted if the law is only known up to something.
@@ -75,16 +67,16 @@ const FEWEST_ROWS: u64 = 1000;
 const FEW_DIGITS: &str =
     "numbers printed with few digits repeat: print 17, or state `resolution_bits` and `tolerance`";
 
-impl Judged {
-    /// What is said of a subject that did not finish its draws.
-    #[must_use]
-    pub fn broken(why: impl Into<String>) -> Self {
-        Self { facts: vec![Fact::new("subject", Reason::SubjectError, why)], ..Self::default() }
-    }
+/// What is said of a subject so far.
+#[derive(Default)]
+struct Findings {
+    judged: Judged,
+}
 
+impl Findings {
     fn fact(&mut self, check: &'static str, count: u64, reason: Reason, what: &str) {
         if count > 0 {
-            self.facts.push(Fact::new(check, reason, format!("{count} {what}")));
+            self.judged.facts.push(Fact::new(check, reason, format!("{count} {what}")));
         }
     }
 
@@ -92,7 +84,7 @@ impl Judged {
     fn few(&mut self, subject: &Subject, seen: &Collected) {
         if matches!(subject.work, Work::Samples(..)) && seen.draws < FEWEST_ROWS {
             let why = format!("{} draws in stage 1 (at least {FEWEST_ROWS} for a pass)", seen.draws);
-            self.gates.push((Reason::NotEnoughDraws, why));
+            self.judged.gates.push((Reason::NotEnoughDraws, why));
         }
     }
 
@@ -120,8 +112,9 @@ impl Judged {
         self.fact("support", cells.out_of_support, Reason::OutOfSupport, "draws lie outside the ray");
         self.fact("unit_weight", seen.counts.weighted, Reason::WrongLaw, "draws have a weight other than 1");
         if !all.known {
-            self.evidence
-                .extend(plan.scores.as_ref().map(|scores| test::lag_observed(scores, &seen.counts.lag, cells)));
+            self.judged.evidence.extend(
+                plan.scores.as_ref().map(|scores| hypothesis::lag_observed(scores, &seen.counts.lag, cells)),
+            );
             return;
         }
         self.follows("", &plan.truth, cells, plan.reason);
@@ -142,30 +135,30 @@ impl Judged {
                 let depth = truth.majorants().depth(t) - truth.tau(t);
                 if depth < 0.0 { 0.0 } else { depth }
             };
-            self.evidence.push(test::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
+            self.judged.evidence.push(hypothesis::coleman(&plan.truth, counts, null_depth, Reason::WrongLaw));
         }
         if let Some(pair) = plan.pair {
-            let ties = test::ties(&seen.counts.ties, cells.collided(), pair);
+            let ties = hypothesis::ties(&seen.counts.ties, cells.collided(), pair);
             let samples = matches!(subject.work, Work::Samples(..)) && ties.statistic > 0.0;
-            self.evidence.push(if samples { ties.noted(FEW_DIGITS) } else { ties });
+            self.judged.evidence.push(if samples { ties.noted(FEW_DIGITS) } else { ties });
         }
         if let Some(scores) = &plan.scores {
-            self.evidence.push(test::lag(scores, &seen.counts.lag, cells));
-            self.evidence.push(test::lags(scores, &seen.counts.lag, cells));
-            self.evidence.push(test::pairs(&seen.counts.lag));
+            self.judged.evidence.push(hypothesis::lag(scores, &seen.counts.lag, cells));
+            self.judged.evidence.push(hypothesis::lags(scores, &seen.counts.lag, cells));
+            self.judged.evidence.push(hypothesis::pairs(&seen.counts.lag));
         }
         self.joint(plan, &seen.counts.joint);
     }
 
     /// What goes with the distances: look-ups, a boundary, marks.
     fn joint(&mut self, plan: &LawPlan, seen: &Joint) {
-        self.evidence.extend(seen.nulls.as_ref().map(test::null_positions));
+        self.judged.evidence.extend(seen.nulls.as_ref().map(hypothesis::null_positions));
         if let Some(cells) = &seen.series {
             self.series(plan, cells, &seen.audit);
         }
         if let Some(marks) = &seen.marks {
             self.fact("finite", marks.spoilt, Reason::NonFinite, "marks do not lie in [0, 1)");
-            self.evidence.push(test::mark(marks));
+            self.judged.evidence.push(hypothesis::mark(marks));
         }
     }
 
@@ -173,14 +166,14 @@ impl Judged {
     fn series(&mut self, plan: &LawPlan, cells: &CellTally, audit: &Audit) {
         if audit.lookups == 0 {
             let why = "the sampler never looks mu up: it may not heed the medium that it is given";
-            self.evidence.push(Evidence::withheld("series", f64::NAN, plan.reason, why));
+            self.judged.evidence.push(Evidence::withheld("series", f64::NAN, plan.reason, why));
             return;
         }
         let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
         self.fact("finite", cells.non_finite, Reason::NonFinite, "draws of a part of the ray are NaN");
         self.fact("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws"));
         self.fact("audit", audit.outside, Reason::OutOfSupport, &outside("look-ups"));
-        self.evidence.push(test::series(&plan.truth, cells, plan.reason));
+        self.judged.evidence.push(hypothesis::series(&plan.truth, cells, plan.reason));
     }
 
     /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
@@ -188,52 +181,58 @@ impl Judged {
         let n = cells.draws();
         let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
         let all = [
-            test::atom(n, cells.escapes, law.atom(), law.slack(), reason),
-            test::chi_square("chi_square_16", law, cells, 16, reason),
-            test::chi_square("chi_square_64", law, cells, 64, reason),
-            test::chi_square("chi_square_fine", law, cells, fine, reason),
-            test::kolmogorov(law, cells, reason),
-            test::anderson_darling(law, cells, reason),
-            test::cramer_von_mises(law, cells, reason),
-            test::kuiper(law, cells, reason),
-            test::exposure(law, cells, reason),
-            test::neyman(law, cells, reason),
+            hypothesis::atom(n, cells.escapes, law.atom(), law.slack(), reason),
+            hypothesis::chi_square("chi_square_16", law, cells, 16, reason),
+            hypothesis::chi_square("chi_square_64", law, cells, 64, reason),
+            hypothesis::chi_square("chi_square_fine", law, cells, fine, reason),
+            hypothesis::kolmogorov(law, cells, reason),
+            hypothesis::anderson_darling(law, cells, reason),
+            hypothesis::cramer_von_mises(law, cells, reason),
+            hypothesis::kuiper(law, cells, reason),
+            hypothesis::exposure(law, cells, reason),
+            hypothesis::neyman(law, cells, reason),
         ];
         let rename = |evidence: Evidence| Evidence { name: format!("{prefix}{}", evidence.name), ..evidence };
-        self.evidence.extend(all.into_iter().map(rename));
+        self.judged.evidence.extend(all.into_iter().map(rename));
     }
 
     /// Berk-Jones, which needs the laws between the edges as well; not for an own law with atoms.
     fn ends(&mut self, subject: &Subject, plan: &LawPlan, cells: &CellTally, ends: &Extremes) {
         let Some(survivals) = Survivals::of(subject) else { return };
-        let of = |law, survival, reason| test::berk_jones((law, survival), cells, ends, subject.bits, reason);
+        let of =
+            |law, survival, reason| hypothesis::berk_jones((law, survival), cells, ends, subject.bits, reason);
         if let (Some(own), Some(survival), true) = (&plan.own, &survivals.own, plan.continuous) {
             let evidence = of(own, survival, Reason::WrongLaw);
-            self.evidence.push(Evidence { name: format!("own_{}", evidence.name), ..evidence });
+            self.judged.evidence.push(Evidence { name: format!("own_{}", evidence.name), ..evidence });
         }
-        self.evidence.push(of(&plan.truth, &survivals.truth, plan.reason));
+        self.judged.evidence.push(of(&plan.truth, &survivals.truth, plan.reason));
     }
 
     fn mean(&mut self, plan: &MeanPlan, sums: &PowerSums) {
-        let (evidence, interval) = test::mean("mean", sums, &plan.truth, Reason::Biased);
+        let (evidence, interval) = hypothesis::mean("mean", sums, &plan.truth, Reason::Biased);
         self.gate(sums, &plan.truth, &evidence, &interval, "mean");
-        self.evidence.push(evidence);
+        self.judged.evidence.push(evidence);
         if let Some(own) = &plan.own {
-            self.evidence.push(test::mean("own_mean", sums, own, Reason::WrongLaw).0);
+            self.judged.evidence.push(hypothesis::mean("own_mean", sums, own, Reason::WrongLaw).0);
         }
         if let Some(moments) = &plan.moments {
             let [_, m2, _, m4, _, m6] = *moments;
-            self.evidence.push(test::second_moment("second_moment", sums, [m2, m4, m6], plan.truth.slack));
+            self.judged.evidence.push(hypothesis::second_moment(
+                "second_moment",
+                sums,
+                [m2, m4, m6],
+                plan.truth.slack,
+            ));
         }
     }
 
     fn channel(&mut self, claim: &ChannelClaim, weights: &PowerSums) {
-        let (evidence, interval) = test::mean(&claim.name, weights, &claim.mean, Reason::Biased);
+        let (evidence, interval) = hypothesis::mean(&claim.name, weights, &claim.mean, Reason::Biased);
         self.gate(weights, &claim.mean, &evidence, &interval, &claim.name);
-        self.evidence.push(evidence);
+        self.judged.evidence.push(evidence);
         if let Some(moments) = claim.moments {
             let name = format!("second_moment_{}", claim.name);
-            self.evidence.push(test::second_moment(&name, weights, moments, claim.mean.slack));
+            self.judged.evidence.push(hypothesis::second_moment(&name, weights, moments, claim.mean.slack));
         }
     }
 
@@ -241,19 +240,19 @@ impl Judged {
     fn gate(
         &mut self,
         sums: &PowerSums,
-        claim: &test::MeanClaim,
+        claim: &hypothesis::MeanClaim,
         evidence: &Evidence,
-        interval: &test::Interval,
+        interval: &hypothesis::Interval,
         what: &str,
     ) {
         let (expected, bound) = (claim.expected, interval.bound());
         if evidence.p.is_none() {
-            let (reason, why) = test::open(sums, claim);
-            self.gates.push((reason, format!("{what}: {why}")));
-        } else if !(bound < expected) && interval.method != test::Method::Exact {
+            let (reason, why) = hypothesis::open(sums, claim);
+            self.judged.gates.push((reason, format!("{what}: {why}")));
+        } else if !(bound < expected) && interval.method != hypothesis::Method::Exact {
             let why =
                 format!("{what}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}");
-            self.gates.push((Reason::RareEvent, why));
+            self.judged.gates.push((Reason::RareEvent, why));
         }
     }
 }

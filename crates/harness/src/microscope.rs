@@ -18,12 +18,12 @@
 use crate::blocks::NETS;
 use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
-use crate::special::student_t_two_sided;
 use crate::subject::{Route, Scene, Subject, Work};
-use crate::tally::PowerSums;
 use freepath_draws::random::Script;
 use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::Medium;
+use freepath_statistics::special::student_t_two_sided;
+use freepath_statistics::tally::PowerSums;
 use rayon::prelude::*;
 
 mod net;

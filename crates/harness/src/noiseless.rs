@@ -1,10 +1,10 @@
 //! What statistics cannot see: [`scripted`] generators and [`identities`], for every subject and without noise.
 
-use crate::evidence::Fact;
 use crate::identities;
 use crate::plan::Plan;
 use crate::scripted::scripted;
 use crate::subject::{Scene, Subject, Work};
+use freepath_statistics::Fact;
 
 /// Every contradiction that needs no statistics: facts of stage 1.
 ///

@@ -1,15 +1,15 @@
 //! From a subject's claims to what is tallied and tested.
 
 use crate::claim::Claim;
-use crate::law::Law;
 use crate::samples::SampleKind;
-use crate::sequence::Bets;
 use crate::subject::{Scene, Subject, Work};
-use crate::tally::Scores;
-use crate::test::{MeanClaim, pair_probability};
 use freepath_estimators::claims::{ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::{ChromaticSampler, Medium};
+use freepath_statistics::Law;
+use freepath_statistics::hypothesis::{MeanClaim, pair_probability};
+use freepath_statistics::sequence::Bets;
+use freepath_statistics::tally::Scores;
 
 mod chromatic;
 mod design;

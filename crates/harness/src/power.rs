@@ -15,9 +15,9 @@ mod row;
 mod words;
 
 use crate::case::Prepared;
-use crate::decide::STAGE_ALPHA;
 use crate::run::{Cancelled, Options};
 use freepath_results::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Real, Verdict};
+use freepath_statistics::decide::STAGE_ALPHA;
 use rayon::prelude::*;
 
 /// The p-values of the run that a fault must be caught in.

@@ -15,13 +15,13 @@
 //! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
 //! give different ones (else `dependent`).
 
-use crate::evidence::Fact;
 use crate::samples::{Rows, SampleKind, SampleSource, Wanted};
 use crate::source::Refusal;
 use crate::source::samples::meaning::Meaning;
 use crate::source::samples::table::Table;
 use crate::subject::BLOCK;
 use freepath_draws::Draws;
+use freepath_statistics::Fact;
 use log::Log;
 use process::Process;
 use std::path::PathBuf;

@@ -11,8 +11,8 @@ mod standing;
 
 pub use standing::{Standing, Work, standing};
 
-use crate::evidence::holm;
-use crate::special::{normal_quantile, normal_two_sided, student_t_two_sided};
+use freepath_statistics::holm;
+use freepath_statistics::special::{normal_quantile, normal_two_sided, student_t_two_sided};
 
 /// The family-wise error at which one estimator is called better than another, for all pairs of a case together.
 pub const RANKING_LEVEL: f64 = 0.05;

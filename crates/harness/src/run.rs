@@ -2,13 +2,13 @@
 
 use crate::case::{Origin, Prepared, PreparedSubject};
 use crate::collect::{Collected, Stopped, Watch, collect, rehearse};
-use crate::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
-use crate::evidence::REPORTING_LEVEL;
-use crate::judge::{Judged, judge};
+use crate::judge::judge;
 use crate::noiseless;
 use crate::plan::Plan;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, Real, Results, SCHEMA_VERSION, SubjectTiming, Verdict};
+use freepath_statistics::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
+use freepath_statistics::{Judged, REPORTING_LEVEL};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;

@@ -1,7 +1,7 @@
 //! Draws that are made elsewhere: a finished file, a pipe, or a program that is started for each stage.
 
-use crate::evidence::Fact;
 use freepath_draws::Draws;
+use freepath_statistics::Fact;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 

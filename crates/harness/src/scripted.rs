@@ -18,13 +18,13 @@
 //! Cost: some 3,000 draws for each method, and at most 10^6 look-ups.
 
 use crate::blocks::SCRIPTS;
-use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_draws::random::Script;
 use freepath_draws::{Draws, Key, Streams};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 mod inspect;
 mod script;

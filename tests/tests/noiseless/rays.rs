@@ -2,7 +2,7 @@
 
 use freepath_estimators::{Extinction, Medium};
 use freepath_harness::case::{CaseFile, Limits};
-use freepath_harness::evidence::Fact;
+use freepath_statistics::Fact;
 
 /// A ray through the head of the shipped cases.
 fn ray(origin: [f64; 3], direction: [f64; 3]) -> std::sync::Arc<dyn Medium> {

@@ -3,12 +3,12 @@
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::medium::{BoxSpike, Sinusoid};
 use freepath_estimators::{Extinction, Medium, TransmittanceEstimator};
-use freepath_harness::evidence::Fact;
+use freepath_harness::describe::CHECKS;
 use freepath_harness::noiseless::facts;
 use freepath_harness::plan::Plan;
 use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_harness::test::CHECKS;
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 use rand::{Rng, RngExt};
 
 pub(crate) const LENGTH: f64 = 2.1;

@@ -9,8 +9,8 @@ use crate::path::{Sampler, in_part, of_path};
 use crate::ramp::in_the_ramp;
 use crate::walks::walks;
 use freepath_estimators::claims::FreePathClaims;
-use freepath_harness::test::NAMES;
 use freepath_results::{Reason, Verdict};
+use freepath_statistics::hypothesis::NAMES;
 use freepath_tests::Judgement;
 use std::collections::BTreeSet;
 
@@ -51,7 +51,7 @@ fn joint_laws_see_what_the_law_of_t_hides() {
     let marked = of_path(&Marked(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
     let all = [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("mark", marked)];
     for (name, judgement) in all {
-        let low = |judged: &freepath_harness::judge::Judged| -> Vec<String> {
+        let low = |judged: &freepath_statistics::Judged| -> Vec<String> {
             let low = judged.evidence.iter().filter(|e| e.p.is_some_and(|p| !(p > 1e-4)));
             low.map(|e| e.name.clone()).collect()
         };

@@ -1,7 +1,7 @@
 //! Counts of 1e9 trials, at the ends and within time.
 
 use crate::distance;
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 use std::time::{Duration, Instant};
 
 const N: u64 = 1_000_000_000;

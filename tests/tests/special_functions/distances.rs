@@ -1,7 +1,7 @@
 //! The tails of Anderson-Darling, Cramer-von Mises and Kuiper: ends, fall, and reach.
 
 use crate::{assert_same, distance};
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 
 const COUNTS: [u64; 10] = [1, 2, 3, 7, 10, 100, 1000, 100_000, 10_000_000, 1_000_000_000];
 

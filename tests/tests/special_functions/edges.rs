@@ -1,7 +1,7 @@
 //! NaN, arguments outside the domain, and the ends of the domains.
 
 use crate::assert_same;
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 
 #[test]
 fn nan_in_gives_nan_out() {

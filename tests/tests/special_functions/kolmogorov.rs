@@ -1,7 +1,7 @@
 //! The Kolmogorov-Smirnov tail: its ends, its fall, and the borders between its methods.
 
 use crate::{assert_same, distance};
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 
 #[test]
 fn kolmogorov_smirnov_has_its_ends() {

@@ -1,7 +1,7 @@
 //! Identities, and the borders between methods.
 
 use crate::distance;
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 
 #[test]
 fn chi_square_is_continuous_where_statrs_ends() {

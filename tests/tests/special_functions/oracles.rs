@@ -1,7 +1,7 @@
 //! Every row of every oracle file.
 
 use crate::same;
-use freepath_harness::special::*;
+use freepath_statistics::special::*;
 
 /// The rows of an oracle file, without its comments and its header.
 fn rows(csv: &'static str) -> impl Iterator<Item = Vec<&'static str>> {

@@ -3,11 +3,11 @@
 use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::finite::Finite;
-use freepath_harness::law::Law;
-use freepath_harness::special::normal_quantile;
-use freepath_harness::tally::CellTally;
-use freepath_harness::test::exposure;
 use freepath_results::Reason;
+use freepath_statistics::Law;
+use freepath_statistics::hypothesis::exposure;
+use freepath_statistics::special::normal_quantile;
+use freepath_statistics::tally::CellTally;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     [0.05, 1.0, 12.0].into_iter().map(|depth| row(effort, depth)).collect()

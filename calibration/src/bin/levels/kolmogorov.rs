@@ -5,7 +5,7 @@ use crate::table::Row;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
 use freepath_draws::random::uniform;
-use freepath_harness::special::ks_two_sided;
+use freepath_statistics::special::ks_two_sided;
 
 /// Points below which there may be too many or too few.
 const POINTS: usize = 160;

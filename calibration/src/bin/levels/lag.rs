@@ -8,11 +8,10 @@ use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
-use freepath_harness::evidence::Evidence;
-use freepath_harness::law::Law;
-use freepath_harness::special::{chi_square_sf, pearson_two_sided};
-use freepath_harness::tally::{CellTally, LAGS, LagTally, Scores};
-use freepath_harness::test::{lag, lags};
+use freepath_statistics::hypothesis::{lag, lags};
+use freepath_statistics::special::{chi_square_sf, pearson_two_sided};
+use freepath_statistics::tally::{CellTally, LAGS, LagTally, Scores};
+use freepath_statistics::{Evidence, Law};
 use rand::Rng;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {

@@ -4,8 +4,8 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::finite::Finite;
 use freepath_calibration::multinomial::quantile;
-use freepath_harness::special::student_t_two_sided;
-use freepath_harness::test::{BlockLookups, lookups};
+use freepath_statistics::hypothesis::{BlockLookups, lookups};
+use freepath_statistics::special::student_t_two_sided;
 
 const ROWS: usize = 16_384;
 

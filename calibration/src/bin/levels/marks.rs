@@ -4,11 +4,11 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::multinomial::{Multinomial, quantile};
 use freepath_calibration::tail::Tail;
-use freepath_harness::evidence::Evidence;
-use freepath_harness::special::chi_square_sf;
-use freepath_harness::tally::{CellTally, MarkTally};
-use freepath_harness::test::{agree_law, mark};
 use freepath_results::Reason;
+use freepath_statistics::Evidence;
+use freepath_statistics::hypothesis::{agree_law, mark};
+use freepath_statistics::special::chi_square_sf;
+use freepath_statistics::tally::{CellTally, MarkTally};
 
 /// A table of `rows` rows, each of draws that expect `each` in each of `columns` cells.
 struct Table {

@@ -5,9 +5,9 @@ use crate::table::Row;
 use freepath_calibration::finite::Finite;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
-use freepath_harness::special::{normal_quantile, student_t_two_sided};
-use freepath_harness::test::{MeanClaim, mean};
 use freepath_results::Reason;
+use freepath_statistics::hypothesis::{MeanClaim, mean};
+use freepath_statistics::special::{normal_quantile, student_t_two_sided};
 
 /// Which statistic a lean aims at.
 #[derive(Clone, Copy, PartialEq)]

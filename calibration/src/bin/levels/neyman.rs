@@ -5,11 +5,11 @@ use crate::table::Row;
 use freepath_calibration::direction::Direction;
 use freepath_calibration::multinomial::{counts, quantile};
 use freepath_calibration::tail::Tail;
-use freepath_harness::law::Law;
-use freepath_harness::special::chi_square_sf;
-use freepath_harness::tally::CellTally;
-use freepath_harness::test::neyman;
 use freepath_results::Reason;
+use freepath_statistics::Law;
+use freepath_statistics::hypothesis::neyman;
+use freepath_statistics::special::chi_square_sf;
+use freepath_statistics::tally::CellTally;
 
 const ORDER: usize = 16;
 

@@ -4,8 +4,8 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
-use freepath_harness::special::chi_square_sf;
-use freepath_harness::test::least_expected;
+use freepath_statistics::hypothesis::least_expected;
+use freepath_statistics::special::chi_square_sf;
 use rand_distr::{Distribution, Gamma, Poisson};
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {

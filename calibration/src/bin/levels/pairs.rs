@@ -5,9 +5,9 @@ use crate::table::Row;
 use freepath_calibration::multinomial::quantile;
 use freepath_calibration::tail::Tail;
 use freepath_draws::random::uniform;
-use freepath_harness::special::chi_square_sf;
-use freepath_harness::tally::LagTally;
-use freepath_harness::test::pairs;
+use freepath_statistics::hypothesis::pairs;
+use freepath_statistics::special::chi_square_sf;
+use freepath_statistics::tally::LagTally;
 use rand::Rng;
 use rand_distr::{Distribution, Gamma};
 

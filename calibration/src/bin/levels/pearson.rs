@@ -3,7 +3,7 @@
 use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::multinomial::Multinomial;
-use freepath_harness::test::least_expected;
+use freepath_statistics::hypothesis::least_expected;
 
 /// Cells of so many expected draws, with a light one.
 fn cells(count: usize, each: f64, light: f64) -> Vec<f64> {

@@ -4,8 +4,8 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::finite::Finite;
 use freepath_calibration::multinomial::quantile;
-use freepath_harness::special::pearson_two_sided;
-use freepath_harness::test::second_moment;
+use freepath_statistics::hypothesis::second_moment;
+use freepath_statistics::special::pearson_two_sided;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
     let settings = [(1 << 14, 0.03), (1 << 14, 0.0999), (1 << 17, 0.0999), (1 << 20, 0.0999)];

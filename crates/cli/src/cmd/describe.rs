@@ -4,7 +4,7 @@ use crate::args::Describe;
 use crate::reference::{Entry, Field, entries};
 use crate::trouble::Trouble;
 use crate::{program, screen};
-use freepath_harness::test::family;
+use freepath_statistics::hypothesis::family;
 
 /// Prints all that is known of a name; of each, if it names several things. A test goes by the names of its claims as well:
 /// `own_atom`, `scatter_0`.

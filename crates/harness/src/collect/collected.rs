@@ -1,8 +1,8 @@
 use super::Counts;
 use super::worker::BlockSums;
 use crate::plan::{ChannelClaim, Plan};
-use crate::sequence::Capitals;
-use crate::tally::{Batch, Batches, PowerSums, Running};
+use freepath_statistics::sequence::Capitals;
+use freepath_statistics::tally::{Batch, Batches, PowerSums, Running};
 
 /// Everything that was folded from a range of blocks.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 use super::Joint;
 use crate::audit::Audit;
-use crate::tally::{CellTally, CountTally, Extremes, LagTally, Tail, TieTally};
-use crate::test::BlockLookups;
+use freepath_statistics::hypothesis::BlockLookups;
+use freepath_statistics::tally::{CellTally, CountTally, Extremes, LagTally, Tail, TieTally};
 
 /// What a worker counts: integers, which merge in any order.
 #[derive(Clone, Debug, Default)]

@@ -2,8 +2,8 @@ use crate::audit::Audit;
 use crate::plan::{LawPlan, Plan};
 use crate::sample::sample_in_parts;
 use crate::subject::Subject;
-use crate::tally::{CellTally, MarkTally, NullTally};
 use freepath_draws::{Draws, Key};
+use freepath_statistics::tally::{CellTally, MarkTally, NullTally};
 use std::cell::RefCell;
 
 /// Sets the streams of a ray in two parts apart from those of the whole.

@@ -2,11 +2,11 @@
 
 use super::worker::{BlockSums, Worker, Workers};
 use super::{Collected, FIRST_BLOCKS, Stopped, WAVE, Watch};
-use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::samples::{Rows, SampleSource, Wanted};
 use crate::subject::{BLOCK, Subject, Work};
 use freepath_draws::Draws;
+use freepath_statistics::Fact;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::Ordering;

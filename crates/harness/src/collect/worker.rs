@@ -1,10 +1,10 @@
 use super::{Counts, FIRST_BLOCKS, Joint};
 use crate::plan::{ChannelClaim, Plan};
 use crate::sample::{columns, sample_block};
-use crate::sequence::Capitals;
 use crate::subject::{BLOCK, Subject};
-use crate::tally::{CellTally, CountTally, Extremes, PowerSums, Tail};
 use freepath_draws::{Draws, Key};
+use freepath_statistics::sequence::Capitals;
+use freepath_statistics::tally::{CellTally, CountTally, Extremes, PowerSums, Tail};
 use std::sync::{Mutex, PoisonError};
 
 /// The float sums of one block.

@@ -1,3 +1,25 @@
+use crate::{identities, scripted};
+
+/// Each check that finds facts, by name, with what it looks at: no p-value, and one fact fails.
+pub const CHECKS: &[(&str, &str)] = &[
+    ("subject", "A fact: the subject stopped, panicked, ran past its budget or spoilt its block of draws."),
+    ("audit", "A fact: a look-up above the majorant of a subject that relies on the bound, or outside the ray."),
+    ("finite", "A fact: a draw is NaN, or infinite where it may not be."),
+    ("support", "A fact: a distance lies outside the ray."),
+    ("vacuum", "A fact: a collision lies where mu is 0."),
+    ("unit_weight", "A fact: a draw of a free path has a weight other than 1."),
+    (scripted::CHECK, scripted::WORDS),
+    identities::CHECKS[0],
+    identities::CHECKS[1],
+    identities::CHECKS[2],
+    identities::CHECKS[3],
+    identities::CHECKS[4],
+    identities::CHECKS[5],
+    identities::CHECKS[6],
+    identities::CHECKS[7],
+    identities::CHECKS[8],
+];
+
 /// By name: what is compared with what, beyond the first sentence.
 pub(super) const DETAILS: &[(&str, &str)] = &[
     ("subject", "Gives subject_error. The budget is 2,000,000 look-ups and random words for each draw of a block; past it mu is NaN, which every loop over distances leaves."),

@@ -1,9 +1,9 @@
-use crate::evidence::Fact;
 use crate::subject::{Scene, Subject, Work};
 use freepath_draws::{Key, Streams};
 use freepath_estimators::medium::segment;
 use freepath_estimators::{Medium, TransmittanceEstimator};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

@@ -1,8 +1,8 @@
 use super::rows::draw;
-use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::subject::{Scene, Subject};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

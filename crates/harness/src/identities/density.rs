@@ -1,6 +1,6 @@
-use crate::evidence::Fact;
 use crate::subject::{Scene, Subject, Work};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

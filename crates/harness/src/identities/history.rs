@@ -1,7 +1,7 @@
 use super::rows::{bits, draw};
-use crate::evidence::Fact;
 use crate::subject::{Route, Subject};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

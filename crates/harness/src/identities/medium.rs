@@ -1,7 +1,7 @@
-use crate::evidence::Fact;
 use freepath_draws::quadrature::integrate;
 use freepath_estimators::Medium;
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

@@ -2,9 +2,9 @@
 //! such as a grid.
 
 use super::medium::{CHECK, ROUNDING};
-use crate::evidence::Fact;
 use freepath_estimators::Medium;
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Places at which optical depths are compared.
 const PLACES: u32 = 61;

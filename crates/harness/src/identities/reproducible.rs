@@ -1,7 +1,7 @@
 use super::rows::{bits, draw};
-use crate::evidence::Fact;
 use crate::subject::{Route, Subject, Work};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 use std::collections::BTreeMap;
 use std::sync::Barrier;
 use std::thread;

@@ -1,7 +1,7 @@
-use crate::evidence::Fact;
 use crate::plan::Plan;
 use crate::subject::{Subject, Work};
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Check and words.
 pub(super) const CHECK: (&str, &str) = (

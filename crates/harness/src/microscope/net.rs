@@ -87,6 +87,6 @@ mod tests {
         }
         let expected = 400.0 * DIMENSIONS as f64 / 16.0;
         let chi: f64 = counts.iter().map(|count: &f64| (count - expected) * (count - expected) / expected).sum();
-        assert!(crate::special::chi_square_sf(15.0, chi) > 1e-6, "{chi}");
+        assert!(freepath_statistics::special::chi_square_sf(15.0, chi) > 1e-6, "{chi}");
     }
 }

@@ -1,7 +1,7 @@
 use super::{ChromaticMedium, ChromaticSampler, MeanClaim, Medium, Subject};
-use crate::law::Law;
 use freepath_draws::quadrature::integrate;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
+use freepath_statistics::Law;
 
 /// Which event a weight belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 use super::{LawPlan, MeanPlan, Subject};
-use crate::evidence::REPORTING_LEVEL;
-use crate::special::normal_quantile;
-use crate::test::larger;
+use freepath_statistics::special::normal_quantile;
+use freepath_statistics::{REPORTING_LEVEL, larger};
 
 /// What a run should find of a method that is biased by design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 use super::{ChromaticMedium, Claim, FreePathClaims, Law, Medium, Scene, Scores, Subject, Work, pair_probability};
-use crate::test::larger;
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::Survival;
 use freepath_estimators::medium::segment;
 use freepath_results::Reason;
+use freepath_statistics::larger;
 
 /// The law of the column `t`.
 pub struct LawPlan {

@@ -1,10 +1,9 @@
 //! What one number of draws gives.
 
-use crate::decide::{Decision, Stage, decide, rejects};
-use crate::evidence::{Evidence, Fact, holm};
-use crate::judge::Judged;
 use crate::run::Trial;
 use freepath_results::{Real, Reason, Rung, Sighting};
+use freepath_statistics::decide::{Decision, Stage, decide, rejects};
+use freepath_statistics::{Evidence, Fact, Judged, holm};
 
 /// The decision on one subject at one number of draws, and what made it.
 pub(super) struct Outcome {

@@ -4,11 +4,11 @@ use super::FAMILY;
 use super::outcome::Outcome;
 use super::words::words;
 use crate::case::{Prepared, PreparedSubject};
-use crate::decide::Decision;
 use crate::fault::Expectation;
 use crate::plan::Design;
 use crate::run::{Cancelled, Options, expected, id, tried, whole};
 use freepath_results::{FEWEST_DRAWS, PowerRow, Reason, Role, Rung, Verdict};
+use freepath_statistics::decide::Decision;
 
 /// What is expected of a row, and the reason that it must fail for, if a particular one.
 struct Aim {

@@ -2,11 +2,11 @@
 
 use super::{Program, request};
 use crate::blocks::REHEARSAL;
-use crate::evidence::Fact;
 use crate::identities::reproducible::{CHANCE, CHECK, STREAMS, chance};
 use crate::samples::Wanted;
 use crate::source::Refusal;
 use freepath_results::Reason;
+use freepath_statistics::Fact;
 
 /// Draws of a short start.
 const ROWS: usize = 256;

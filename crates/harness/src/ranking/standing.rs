@@ -1,6 +1,7 @@
-use crate::tally::{Batch, Batches, PowerSums};
-use crate::test::{BlockLookups, larger};
 use freepath_draws::Key;
+use freepath_statistics::hypothesis::BlockLookups;
+use freepath_statistics::larger;
+use freepath_statistics::tally::{Batch, Batches, PowerSums};
 use rand::RngExt;
 
 /// ln of variance times look-ups per draw, with its standard error.
@@ -101,8 +102,8 @@ fn bootstrap(groups: &[Batch]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tally::Tail;
     use freepath_draws::random::uniform;
+    use freepath_statistics::tally::Tail;
 
     const ROWS: usize = 1000;
 

@@ -2,11 +2,10 @@ use super::Cancelled;
 use crate::agree::agree;
 use crate::case::PreparedSubject;
 use crate::collect::{Collected, Stopped, Watch};
-use crate::evidence::Fact;
-use crate::judge::Judged;
 use crate::plan::Plan;
 use crate::subject::Subject;
 use freepath_results::Reason;
+use freepath_statistics::{Fact, Judged};
 use std::ops::Range;
 
 /// One stage of a subject, for its agreements.

@@ -3,8 +3,8 @@
 use super::Trial;
 use crate::plan::MeanPlan;
 use crate::ranking::{Comparison, RANKING_LEVEL, Standing, Work, compare, ranks, standing};
-use crate::tally::PowerSums;
 use freepath_results::{Efficiency, Ranked, RankedPair, Ranking, Real, Reason, Refused, SubjectResult, Verdict};
+use freepath_statistics::tally::PowerSums;
 
 /// Relative variance with a 95 % interval, and whether it is ranked; none for what has no mean.
 pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> {

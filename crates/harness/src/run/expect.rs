@@ -1,7 +1,7 @@
-use crate::decide::Decision;
 use crate::fault::Expectation;
 use crate::plan::Design;
 use freepath_results::{Reason, Verdict};
+use freepath_statistics::decide::Decision;
 
 /// What was expected, in words; whether it was computed; and whether the decision is as expected.
 ///

@@ -10,11 +10,11 @@
 use super::Cancelled;
 use crate::blocks::{GROWTH, GROWTH_OF_STAGE_TWO};
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::evidence::{Evidence, Fact};
-use crate::judge::{Judged, judge};
+use crate::judge::judge;
 use crate::plan::Plan;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, GrownOutcome, Real, Reason};
+use freepath_statistics::{Evidence, Fact, Judged};
 
 mod question;
 

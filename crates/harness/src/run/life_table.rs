@@ -1,12 +1,11 @@
 //! Where along the ray a law breaks: a diagnosis beside the tests.
 
-use crate::decide::STAGE_ALPHA;
-use crate::evidence::REPORTING_LEVEL;
-use crate::law::Law;
 use crate::plan::LawPlan;
-use crate::special::{binomial_cdf, binomial_sf, clopper_pearson};
-use crate::tally::CellTally;
 use freepath_results::{LifeTable, Real};
+use freepath_statistics::decide::STAGE_ALPHA;
+use freepath_statistics::special::{binomial_cdf, binomial_sf, clopper_pearson};
+use freepath_statistics::tally::CellTally;
+use freepath_statistics::{Law, REPORTING_LEVEL};
 
 /// Most rows.
 const MOST_ROWS: usize = 128;

@@ -1,11 +1,11 @@
 //! What the plots draw, from what was collected.
 
-use crate::evidence::REPORTING_LEVEL;
 use crate::plan::LawPlan;
-use crate::special::normal_quantile;
-use crate::tally::{CellTally, Running};
-use crate::test::residuals;
 use freepath_results::{CdfSeries, HistogramSeries, Real, ResidualSeries, RunningSeries};
+use freepath_statistics::REPORTING_LEVEL;
+use freepath_statistics::hypothesis::residuals;
+use freepath_statistics::special::normal_quantile;
+use freepath_statistics::tally::{CellTally, Running};
 
 /// Points of a CDF plot.
 const POINTS: usize = 240;

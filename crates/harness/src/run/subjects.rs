@@ -5,19 +5,20 @@ use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected, life_table, series};
 use crate::case::Origin;
 use crate::collect::Collected;
-use crate::decide::{Decision, Stage, rejects};
-use crate::evidence::{POWER, REPORTING_LEVEL};
-use crate::law::Law;
 use crate::plan::{ChannelClaim, Event, LawPlan, MeanPlan};
 use crate::source::samples::SampleFile;
-use crate::special::{clopper_pearson, normal_quantile};
 use crate::subject::Scene;
-use crate::tally::{CellTally, PowerSums};
-use crate::test::{Interval, MeanClaim, detectable_cell, detectable_scale, larger, mean};
 use freepath_results::{
     Atom, AuditResult, ChannelResult, FactResult, Grown, LawResult, MeanResult, OrderResult, Real, Reason, Series,
     SubjectResult, TestResult, Verdict,
 };
+use freepath_statistics::decide::{Decision, Stage, rejects};
+use freepath_statistics::hypothesis::{
+    Among, Bracket, Interval, MeanClaim, detectable_cell, detectable_scale, mean, sup_distance,
+};
+use freepath_statistics::special::{clopper_pearson, normal_quantile};
+use freepath_statistics::tally::{CellTally, PowerSums};
+use freepath_statistics::{POWER, REPORTING_LEVEL};
 
 pub(super) fn result(
     cases: &[Prepared],
@@ -161,7 +162,7 @@ fn repro(case: &Prepared, id: &str, options: &Options) -> String {
 }
 
 fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
-    let one = |(evidence, adjusted): (&crate::evidence::Evidence, &Option<f64>)| TestResult {
+    let one = |(evidence, adjusted): (&freepath_statistics::Evidence, &Option<f64>)| TestResult {
         name: evidence.name.clone(),
         stage,
         statistic: Real(evidence.statistic),
@@ -177,7 +178,7 @@ fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
 }
 
 fn facts((stage, of): (u8, Stage<'_>)) -> Vec<FactResult> {
-    let one = |fact: &crate::evidence::Fact| FactResult {
+    let one = |fact: &freepath_statistics::Fact| FactResult {
         check: fact.check.into(),
         stage,
         reason: fact.reason,
@@ -241,23 +242,9 @@ fn channels(claims: &[ChannelClaim], seen: Option<&Collected>) -> Vec<ChannelRes
     all.filter_map(one).collect()
 }
 
-/// sup |F_n - F| over the edges of the cells, and over all t at the most.
-pub(super) fn distances(law: &Law, tally: &CellTally) -> (f64, f64) {
-    let n = tally.draws() as f64;
-    let (mut below, mut edges, mut all) = (0, 0.0, 0.0);
-    for (k, count) in tally.cells.iter().enumerate() {
-        let (start, end) = (law.mass_between(0, k), law.mass_between(0, k + 1));
-        let (before, after) = (below as f64 / n, (below + count) as f64 / n);
-        edges = larger(edges, (after - end).abs());
-        all = larger(all, larger(after - start, end - before));
-        below += count;
-    }
-    (edges, all)
-}
-
 fn law_result(plan: &LawPlan, tally: &CellTally, grown: Option<&Grown>) -> LawResult {
     let (n, law) = (tally.draws(), &plan.truth);
-    let (distance, hidden) = distances(law, tally);
+    let Bracket { low: distance, high: hidden } = sup_distance(law, tally, Among::All);
     let (low, high) = clopper_pearson(n, tally.escapes, REPORTING_LEVEL);
     let power = normal_quantile(1.0 - POWER) / (2.0 * (n as f64).sqrt());
     let band = series::band(n);

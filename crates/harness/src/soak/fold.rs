@@ -5,12 +5,12 @@ use super::p_values::PValues;
 use super::record::Record;
 use super::trial::Trial;
 use super::uniformity::Row;
-use crate::evidence::holm;
-use crate::special::{binomial_sf, clopper_pearson};
-use crate::test::{declares, family};
 use freepath_results::{
     AlarmRate, LevelResult, QuantileSeries, Real, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
 };
+use freepath_statistics::holm;
+use freepath_statistics::hypothesis::{declares, family};
+use freepath_statistics::special::{binomial_sf, clopper_pearson};
 use std::collections::BTreeMap;
 
 /// The family-wise error of all checks of a soak.

@@ -1,6 +1,6 @@
 //! Many p-values in little room.
 
-use crate::test::larger;
+use freepath_statistics::larger;
 
 /// Equal bins of [0, 1].
 const BINS: usize = 4096;

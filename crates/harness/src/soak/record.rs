@@ -3,13 +3,12 @@
 use super::Options;
 use super::trial::Trial;
 use crate::collect::Watch;
-use crate::decide::{Adjusted, Stage, adjust, decide_at, suspect_at};
-use crate::evidence::{Evidence, Null};
-use crate::judge::Judged;
 use crate::run::{Cancelled, Progress};
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
 use freepath_results::Verdict;
+use freepath_statistics::decide::{Adjusted, Stage, adjust, decide_at, suspect_at};
+use freepath_statistics::{Evidence, Judged, Null};
 use rand::Rng;
 
 /// A p-value with the name of its test.

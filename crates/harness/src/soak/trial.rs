@@ -3,11 +3,12 @@
 use crate::case::{Prepared, PreparedSubject};
 use crate::collect::{Stopped, Watch, collect};
 use crate::fault::Expectation;
-use crate::judge::{Judged, judge};
+use crate::judge::judge;
 use crate::plan::Plan;
 use crate::run::{Cancelled, id};
 use crate::subject::Subject;
 use freepath_results::Reason;
+use freepath_statistics::Judged;
 use std::ops::Range;
 
 /// A right subject with its plan, made once for all runs.

@@ -1,7 +1,7 @@
 //! Are the p-values of a test what its claim of their law says?
 
 use super::p_values::{LEVELS, PValues};
-use crate::special::{binomial_sf, ks_one_sided, ks_two_sided};
+use freepath_statistics::special::{binomial_sf, ks_one_sided, ks_two_sided};
 
 /// p-values as a verdict uses them and, for a discrete statistic, spread evenly over its steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Row {
         let (over, under) = all.distances();
         let distance = match conservative {
             true => ks_one_sided(n, over),
-            false => ks_two_sided(n, crate::test::larger(over, under)),
+            false => ks_two_sided(n, freepath_statistics::larger(over, under)),
         };
         let tails = [Some(&self.p), self.spread.as_ref()]
             .into_iter()

@@ -5,8 +5,8 @@ use crate::draw::{Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, SMALL, Str
 use crate::number::{count, short};
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_harness::special::clopper_pearson;
 use freepath_results::{MOST_POINTS, QuantileSeries, Real, SoakResults, SoakTest, SubjectResult, Verdict};
+use freepath_statistics::special::clopper_pearson;
 
 /// The level of the band at each rank.
 const LEVEL: f64 = 1e-3;

@@ -1,12 +1,13 @@
-use super::super::subjects::distances;
 use crate::collect::Collected;
-use crate::evidence::{Evidence, Null, REPORTING_LEVEL};
 use crate::plan::{LawPlan, MeanPlan, Plan};
-use crate::sequence::{BetaBinomial, Bets, EmpiricalBernstein, Looks, dkw_band, dkw_p};
 use crate::subject::Subject;
-use crate::tally::{CellTally, PowerSums};
-use crate::test::{Method, interval_at, mean, nearest, within};
 use freepath_results::Reason;
+use freepath_statistics::hypothesis::{
+    Among, Bracket, Method, interval_at, mean, nearest, open, sup_distance, within,
+};
+use freepath_statistics::sequence::{BetaBinomial, Bets, EmpiricalBernstein, Looks, dkw_band, dkw_p};
+use freepath_statistics::tally::{CellTally, PowerSums};
+use freepath_statistics::{Evidence, Null, REPORTING_LEVEL};
 
 /// What a bound is asked for, and the sequences that answer.
 pub(super) struct Question {
@@ -123,7 +124,7 @@ impl Question {
             (method, ..) => {
                 let p = evidence.p.map_or(1.0, |p| self.looks.note(p / share));
                 let ends = interval_at(sums, claim, REPORTING_LEVEL * share);
-                let trouble = evidence.p.is_none().then(|| crate::test::open(sums, claim));
+                let trouble = evidence.p.is_none().then(|| open(sums, claim));
                 Look { trouble, ..look((ends.low, ends.high), p, method.name()) }
             }
         }
@@ -131,7 +132,7 @@ impl Question {
 
     fn at_law(&mut self, plan: &LawPlan, cells: &CellTally, share: f64) -> Look {
         let n = cells.draws() as f64;
-        let (edges, everywhere) = distances(&plan.truth, cells);
+        let Bracket { low: edges, high: everywhere } = sup_distance(&plan.truth, cells, Among::All);
         let excess = edges - self.slack;
         let p = if excess <= 0.0 { 1.0 } else { dkw_p(n, excess) / share };
         let bound = everywhere + dkw_band(n, REPORTING_LEVEL * share);

@@ -1,0 +1,17 @@
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+
+pub mod decide;
+mod evidence;
+pub mod hypothesis;
+mod judged;
+mod larger;
+mod law;
+pub mod sequence;
+pub mod special;
+pub mod tally;
+
+pub use evidence::{Evidence, Fact, Null, POWER, REPORTING_LEVEL, holm};
+pub use judged::Judged;
+pub use larger::larger;
+pub use law::{Groups, Law};
