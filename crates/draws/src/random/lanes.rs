@@ -1,6 +1,11 @@
-use super::{Key, LANES, Script, uniform};
+use super::key::Key;
+use super::streams::Script;
+use super::uniform::uniform;
 use crate::math;
 use rand_xoshiro::Xoshiro256PlusPlus;
+
+/// Generators side by side in a block; fixed for ever, so that draws do not depend on the vector width.
+pub const LANES: usize = 32;
 
 /// A source of uniforms in [0, 1) for the tile engine.
 pub trait Uniforms {
@@ -13,8 +18,22 @@ pub trait Uniforms {
 /// 32 xoshiro256++ generators (Blackman and Vigna 2021) side by side, and one spare.
 #[derive(Clone)]
 pub struct Lanes {
-    pub(super) state: [[u64; LANES]; 4],
-    pub(super) spare: Xoshiro256PlusPlus,
+    state: [[u64; LANES]; 4],
+    spare: Xoshiro256PlusPlus,
+}
+
+impl Key {
+    /// All lanes, in step.
+    #[must_use]
+    pub fn lanes(self) -> Lanes {
+        let mut state = [[0; LANES]; 4];
+        for lane in 0..LANES {
+            for (row, word) in state.iter_mut().zip(self.state(lane)) {
+                row[lane] = word;
+            }
+        }
+        Lanes { state, spare: self.lane(LANES) }
+    }
 }
 
 impl Lanes {

@@ -1,4 +1,4 @@
-use super::Key;
+use super::key::Key;
 use rand::TryRng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::convert::Infallible;
