@@ -1,8 +1,11 @@
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
+mod block;
+pub mod claim;
 pub mod decide;
 mod evidence;
+pub mod fold;
 pub mod hypothesis;
 mod judged;
 mod larger;
@@ -11,6 +14,7 @@ pub mod sequence;
 pub mod special;
 pub mod tally;
 
+pub use block::{Block, CellIndex, Scratch};
 pub use evidence::{Evidence, Fact, Null, POWER, REPORTING_LEVEL, holm};
 pub use judged::Judged;
 pub use larger::larger;

@@ -1,5 +1,6 @@
 //! Folds over blocks: integers merge in any order, floats in block order.
 
+mod audit;
 mod batches;
 mod cells;
 mod counts;
@@ -12,6 +13,7 @@ mod sums;
 mod tail;
 mod ties;
 
+pub use audit::{Audit, Excess};
 pub use batches::{Batch, Batches};
 pub use cells::CellTally;
 pub use counts::CountTally;

@@ -1,0 +1,91 @@
+//! One block of draws on its way through the folds.
+
+use crate::tally::Audit;
+use freepath_draws::Draws;
+
+/// A block of draws, where it stands, and what it cost.
+#[derive(Clone, Copy)]
+pub struct Block<'a> {
+    /// Its rows.
+    pub draws: &'a Draws,
+    /// Its number among all blocks of its subject.
+    pub number: u64,
+    /// Its place in the range that is being collected.
+    pub nth: u64,
+    /// Its look-ups; none of draws that are made elsewhere.
+    pub audit: Option<&'a Audit>,
+}
+
+/// Blocks at the start of a range in which all ties are counted and all look-ups placed.
+const FIRST_BLOCKS: u64 = 4;
+
+impl Block<'_> {
+    /// Whether it is among the first of its range.
+    #[must_use]
+    pub fn is_early(&self) -> bool {
+        is_early(self.nth)
+    }
+}
+
+/// Whether the block at this place of a range is among the first.
+#[must_use]
+pub(crate) fn is_early(nth: u64) -> bool {
+    nth < FIRST_BLOCKS
+}
+
+/// Buffers of a worker, used again for each block.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    indices: Vec<Vec<u32>>,
+    /// A column with some rows set to 0.
+    pub(crate) masked: Vec<f64>,
+}
+
+/// Where the fine cells of one column under one law stand in [`Scratch`]: found once per block, read by many folds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CellIndex(pub(crate) usize);
+
+impl Scratch {
+    /// The cells of the rows of this block; empty before they are found.
+    #[must_use]
+    pub fn cells(&self, index: CellIndex) -> &[u32] {
+        self.indices.get(index.0).map_or(&[], Vec::as_slice)
+    }
+
+    pub(crate) fn cells_mut(&mut self, index: CellIndex) -> &mut Vec<u32> {
+        if self.indices.len() <= index.0 {
+            self.indices.resize_with(index.0 + 1, Vec::new);
+        }
+        &mut self.indices[index.0]
+    }
+}
+
+impl<'a> Block<'a> {
+    pub(crate) fn f64(&self, column: &str) -> &'a [f64] {
+        f64(self.draws, column)
+    }
+    pub(crate) fn u32(&self, column: &str) -> &'a [u32] {
+        u32(self.draws, column)
+    }
+}
+
+/// A column of numbers.
+///
+/// # Panics
+/// If there is no such column: a kind names the columns that its rows have.
+pub(crate) fn f64<'a>(draws: &'a Draws, column: &str) -> &'a [f64] {
+    match column {
+        "t" => &draws.t,
+        "weight" => &draws.weight,
+        "mark" => &draws.mark,
+        channel => {
+            let k = channel.strip_prefix("channel_").and_then(|k| k.parse::<usize>().ok());
+            k.and_then(|k| draws.channels.get(k)).expect("a kind names the columns of its rows")
+        }
+    }
+}
+
+/// A column of counts.
+pub(crate) fn u32<'a>(draws: &'a Draws, _column: &str) -> &'a [u32] {
+    &draws.collisions
+}

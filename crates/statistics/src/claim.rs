@@ -1,0 +1,220 @@
+//! Claims: checkable statements about columns of a subject's draws. A claim is a value with everything that belongs to it:
+//! the folds it reads, the tests it is put to, what it adds to the results, how it grows towards a bound.
+//!
+//! Claims are fine, one family of tests each, so that one that a case withdraws is left out of a list and nothing else
+//! changes.
+
+use crate::evidence::Fact;
+use crate::fold::{Folds, Tallies};
+use crate::judged::Judged;
+use freepath_draws::Draws;
+use freepath_results::Reason;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+mod agreement;
+mod auxiliary;
+mod berk_jones;
+mod bounded;
+mod coleman;
+mod contender;
+mod count;
+mod design;
+mod enough_rows;
+mod estimates;
+mod event;
+mod events;
+mod law;
+mod lookups;
+mod mean;
+mod null_positions;
+mod order;
+mod own_law;
+mod own_mean;
+mod path;
+mod pdf_integral;
+mod second_moment;
+mod sequential;
+mod series;
+mod summary;
+mod ties;
+mod unit_weight;
+mod vacuum;
+
+pub use agreement::{Agreed, Comparable, LawAgreement, MeanAgreement, Spread};
+pub use auxiliary::AuxiliaryClaim;
+pub use berk_jones::BerkJonesClaim;
+pub use bounded::{Bounded, InsideRay};
+pub use coleman::ColemanClaim;
+pub use contender::{Contender, EfficiencyClaim};
+pub use count::PoissonClaim;
+pub use design::Design;
+pub use enough_rows::EnoughRows;
+pub use estimates::Estimates;
+pub use event::EventClaim;
+pub use events::{EventWeights, FiniteRow};
+pub use law::{LawClaim, band, worst};
+pub use lookups::LookupsClaim;
+pub use mean::{WeightClaim, bets, power_sums};
+pub use null_positions::NullPositionsClaim;
+pub use order::{ObservedOrder, Order};
+pub use own_law::OwnLaw;
+pub use own_mean::OwnMean;
+pub use path::{CountedPath, Path};
+pub use pdf_integral::PdfIntegral;
+pub use second_moment::{Moments, SecondMomentClaim};
+pub use sequential::{Asked, BiasBound, InterimLook, SequentialTest};
+pub use series::SeriesClaim;
+pub use summary::{StepOrder, Summary};
+pub use ties::TiesClaim;
+pub use unit_weight::UnitWeightClaim;
+pub use vacuum::Vacuum;
+
+/// What a case may withdraw from a subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "Claim")] // the name in the schema of cases
+pub enum Withdrawal {
+    /// That no look-up exceeds the majorant.
+    Bounded,
+    /// The second moment.
+    SecondMoment,
+    /// The expected look-ups, and the law of tentative collisions.
+    Lookups,
+    /// That draws are independent.
+    Independent,
+    /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
+    /// of the draws, the audit, and what is checked without noise.
+    Truth,
+}
+
+/// What is wrong for certain with one row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// What it contradicts.
+    pub reason: Reason,
+    /// In words.
+    pub what: String,
+}
+
+/// A checkable statement about columns of draws.
+pub trait Claim: Send + Sync {
+    /// The withdrawals that take this claim back.
+    fn withdrawn_by(&self) -> &'static [Withdrawal];
+
+    /// Puts the claim to its tests: evidence, facts, and what could not be judged.
+    fn judge(&self, _tallies: &Tallies, _into: &mut Judged) {}
+
+    /// What is wrong for certain with one row, without any tally.
+    fn look(&self, _draws: &Draws, _row: usize) -> Option<Finding> {
+        None
+    }
+
+    /// What a method that is biased by design should be found to be after so many draws.
+    fn design(&self, _draws: u64) -> Design {
+        Design::Unbiased
+    }
+
+    /// The test that draws may grow under, towards the bound that is asked for.
+    fn sequential<'a>(&'a self, _asked: &Asked) -> Option<SequentialTest<'a>> {
+        None
+    }
+
+    /// What a ranking by efficiency needs.
+    fn contender<'a>(&'a self, _tallies: &'a Tallies) -> Option<Contender<'a>> {
+        None
+    }
+
+    /// What the subject must have in common with itself in another setting.
+    fn comparable<'a>(&self, _tallies: &'a Tallies) -> Option<Comparable<'a>> {
+        None
+    }
+
+    /// What it adds to the results whether or not anything was drawn.
+    fn state(&self, _into: &mut Summary) {}
+
+    /// What it adds to the results of draws.
+    fn summarize(&self, _tallies: &Tallies, _into: &mut Summary) {}
+}
+
+/// The claims that stand, and the folds that they read.
+#[derive(Default)]
+pub struct Claims<'a> {
+    /// What is tallied.
+    pub folds: Folds,
+    list: Vec<Box<dyn Claim + 'a>>,
+}
+
+impl<'a> Claims<'a> {
+    /// Adds a claim, behind those that stand: their order is that of the tests in the results.
+    pub fn push(&mut self, claim: impl Claim + 'a) {
+        self.list.push(Box::new(claim));
+    }
+
+    /// Those that stand after some are withdrawn.
+    #[must_use]
+    pub fn without(mut self, withdrawn: &[Withdrawal]) -> Self {
+        self.list.retain(|claim| !claim.withdrawn_by().iter().any(|one| withdrawn.contains(one)));
+        self
+    }
+
+    /// The claims in their order.
+    pub fn iter(&self) -> impl Iterator<Item = &(dyn Claim + 'a)> {
+        self.list.iter().map(|claim| &**claim)
+    }
+
+    /// Puts every claim to its tests.
+    #[must_use]
+    pub fn judge(&self, tallies: &Tallies) -> Judged {
+        let mut judged = Judged::default();
+        self.iter().for_each(|claim| claim.judge(tallies, &mut judged));
+        judged
+    }
+
+    /// The first thing that is wrong for certain with the rows of a block.
+    #[must_use]
+    pub fn look(&self, draws: &Draws) -> Option<Finding> {
+        (0..draws.rows).find_map(|row| self.iter().find_map(|claim| claim.look(draws, row)))
+    }
+
+    /// The test that draws may grow under, towards the bound that is asked for.
+    #[must_use]
+    pub fn sequential(&self, asked: &Asked) -> Option<SequentialTest<'_>> {
+        self.iter().find_map(|claim| claim.sequential(asked))
+    }
+
+    /// What a ranking by efficiency needs, if the subject can stand in one.
+    #[must_use]
+    pub fn contender<'b>(&'b self, tallies: &'b Tallies) -> Option<Contender<'b>> {
+        self.iter().find_map(|claim| claim.contender(tallies))
+    }
+
+    /// What the subject must have in common with itself in another setting.
+    #[must_use]
+    pub fn comparable<'b>(&self, tallies: &'b Tallies) -> Option<Comparable<'b>> {
+        self.iter().find_map(|claim| claim.comparable(tallies))
+    }
+
+    /// What a method that is biased by design should be found to be after so many draws.
+    #[must_use]
+    pub fn design(&self, draws: u64) -> Design {
+        let mut designs = self.iter().map(|claim| claim.design(draws));
+        designs.find(|design| *design != Design::Unbiased).unwrap_or(Design::Unbiased)
+    }
+
+    /// What all of them add to the results; without tallies of a subject that did not finish its draws.
+    #[must_use]
+    pub fn summary(&self, tallies: Option<&Tallies>) -> Summary {
+        let mut summary = Summary::default();
+        self.iter().for_each(|claim| claim.state(&mut summary));
+        if let Some(tallies) = tallies {
+            self.iter().for_each(|claim| claim.summarize(tallies, &mut summary));
+        }
+        summary
+    }
+}
+
+/// A fact, if there is anything to count.
+pub(crate) fn counted(check: &'static str, count: u64, reason: Reason, what: &str) -> Option<Fact> {
+    (count > 0).then(|| Fact::new(check, reason, format!("{count} {what}")))
+}

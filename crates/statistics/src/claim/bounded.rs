@@ -1,0 +1,48 @@
+use super::{Claim, Summary, Withdrawal, counted};
+use crate::fold::{FoldId, Lookups, Tallies};
+use crate::judged::Judged;
+use freepath_results::{AuditResult, Reason};
+
+/// No look-up exceeds the majorant that held there.
+pub struct Bounded {
+    /// What the audit saw.
+    pub lookups: FoldId<Lookups>,
+}
+
+impl Claim for Bounded {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Bounded]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let audit = tallies.counts(self.lookups).audit;
+        let worst = audit.worst.map_or(String::new(), |worst| format!(", the worst {worst}"));
+        let what = format!("of {} look-ups lie above the majorant{worst}", audit.lookups);
+        into.facts.extend(counted("audit", audit.above, Reason::BoundViolated, &what));
+    }
+}
+
+/// No look-up lies outside the ray.
+pub struct InsideRay {
+    /// What the audit saw.
+    pub lookups: FoldId<Lookups>,
+}
+
+impl Claim for InsideRay {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let audit = tallies.counts(self.lookups).audit;
+        let what = format!("of {} look-ups lie outside the ray", audit.lookups);
+        into.facts.extend(counted("audit", audit.outside, Reason::OutOfSupport, &what));
+    }
+
+    fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
+        let audit = tallies.counts(self.lookups).audit;
+        into.lookups = if tallies.draws > 0 { audit.lookups as f64 / tallies.draws as f64 } else { 0.0 };
+        let (lookups, above, outside) = (audit.lookups, audit.above, audit.outside);
+        into.audit = AuditResult { lookups, above, outside, ..into.audit };
+    }
+}

@@ -1,0 +1,24 @@
+use super::{Claim, Withdrawal};
+use crate::fold::{Collisions, FoldId, Tallies};
+use crate::hypothesis;
+use crate::judged::Judged;
+
+/// An integer column is Poisson.
+pub struct PoissonClaim {
+    /// Its mean.
+    pub mean: f64,
+    /// Its counts.
+    pub counts: FoldId<Collisions>,
+    /// How far the mean may be off.
+    pub slack: f64,
+}
+
+impl Claim for PoissonClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth, Withdrawal::Lookups]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        into.evidence.push(hypothesis::poisson_count(tallies.counts(self.counts), self.mean, self.slack));
+    }
+}

@@ -1,0 +1,49 @@
+use super::mean::{judge_mean, with_interval};
+use super::{Claim, Summary, Withdrawal};
+use crate::fold::{Event, EventSums, FoldId, Tallies};
+use crate::hypothesis::{self, MeanClaim};
+use crate::judged::Judged;
+use crate::tally::PowerSums;
+use freepath_results::{ChannelResult, Reason};
+
+/// A column of weights has this mean where an event happens, and is taken for 0 elsewhere.
+pub struct EventClaim {
+    /// The name of the test.
+    pub name: String,
+    /// Which column of weights.
+    pub channel: usize,
+    /// The event.
+    pub event: Event,
+    /// E[w; event].
+    pub mean: MeanClaim,
+    /// The sums.
+    pub sums: FoldId<EventSums>,
+}
+
+impl Claim for EventClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        judge_mean(&self.name, &power_sums(tallies, self.sums), &self.mean, into);
+    }
+
+    fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
+        let event = match self.event {
+            Event::Scatter => "scatter",
+            Event::Surface => "surface",
+            Event::Between(..) => return, // a test for each bin is enough
+        };
+        let sums = power_sums(tallies, self.sums);
+        let (_, interval) = hypothesis::mean(&self.name, &sums, &self.mean, Reason::Biased);
+        let mean = with_interval(&self.mean, &sums, &interval);
+        into.channels.push(ChannelResult { channel: self.channel, event: event.into(), mean });
+    }
+}
+
+/// The sums of an event, with the shape of their tail if that was kept.
+pub(super) fn power_sums(tallies: &Tallies, event: FoldId<EventSums>) -> PowerSums {
+    let (sums, tail) = (*tallies.sums(event), tallies.counts(event));
+    PowerSums { shape: tail.as_ref().and_then(|tail| tail.shape(sums.n)), ..sums }
+}

@@ -1,0 +1,39 @@
+use super::unit_weight::finite;
+use super::{Claim, Finding, Withdrawal, counted};
+use crate::fold::{EventSums, FoldId, Tallies};
+use crate::judged::Judged;
+use freepath_draws::Draws;
+use freepath_results::Reason;
+
+/// Every weight of every event is finite.
+pub struct EventWeights {
+    /// The sums of all events.
+    pub sums: Vec<FoldId<EventSums>>,
+}
+
+impl Claim for EventWeights {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let spoilt = self.sums.iter().map(|&sums| tallies.sums(sums).non_finite).sum();
+        into.facts.extend(counted("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite"));
+    }
+}
+
+/// Every weight of a row is finite: seen row by row alone.
+pub struct FiniteRow {
+    /// The columns of weights.
+    pub columns: Vec<String>,
+}
+
+impl Claim for FiniteRow {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[]
+    }
+
+    fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
+        self.columns.iter().find_map(|column| finite(crate::block::f64(draws, column)[row]))
+    }
+}

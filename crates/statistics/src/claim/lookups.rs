@@ -1,0 +1,31 @@
+use super::{Claim, Summary, Withdrawal};
+use crate::fold::{FoldId, Lookups, Tallies};
+use crate::hypothesis;
+use crate::judged::Judged;
+
+/// A draw makes so many look-ups on average.
+pub struct LookupsClaim {
+    /// So many.
+    pub expected: f64,
+    /// What the audit saw.
+    pub lookups: FoldId<Lookups>,
+    /// Rows of a block.
+    pub rows: usize,
+    /// How far the mean may be off.
+    pub slack: f64,
+}
+
+impl Claim for LookupsClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth, Withdrawal::Lookups]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let blocks = &tallies.counts(self.lookups).blocks;
+        into.evidence.push(hypothesis::lookups(blocks, self.rows, self.expected, self.slack));
+    }
+
+    fn state(&self, into: &mut Summary) {
+        into.lookups_expected = Some(self.expected);
+    }
+}

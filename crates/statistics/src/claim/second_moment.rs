@@ -1,0 +1,41 @@
+use super::mean::power_sums;
+use super::{Claim, Withdrawal};
+use crate::fold::{EventSums, FoldId, Tallies, Weights};
+use crate::hypothesis;
+use crate::judged::Judged;
+use crate::tally::PowerSums;
+
+/// The sums whose second moment is claimed.
+#[derive(Clone, Copy)]
+pub enum Moments {
+    /// Of a column.
+    Column(FoldId<Weights>),
+    /// Of a column where an event happens.
+    Event(FoldId<EventSums>),
+}
+
+/// A column has this second moment.
+pub struct SecondMomentClaim {
+    /// The name of the test.
+    pub name: String,
+    /// The sums.
+    pub sums: Moments,
+    /// E[X^2], E[X^4] and E[X^6].
+    pub moments: [f64; 3],
+    /// How far the mean may be off.
+    pub slack: f64,
+}
+
+impl Claim for SecondMomentClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth, Withdrawal::SecondMoment]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let sums: PowerSums = match self.sums {
+            Moments::Column(weights) => power_sums(tallies, weights),
+            Moments::Event(event) => super::event::power_sums(tallies, event),
+        };
+        into.evidence.push(hypothesis::second_moment(&self.name, &sums, self.moments, self.slack));
+    }
+}

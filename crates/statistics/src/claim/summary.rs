@@ -1,0 +1,46 @@
+use freepath_results::{AuditResult, ChannelResult, Grown, LawResult, MeanResult, Series};
+
+/// What the claims on one subject add to its results.
+#[derive(Clone, Debug, Default)]
+pub struct Summary {
+    /// Of the mean.
+    pub mean: Option<MeanResult>,
+    /// Of the law.
+    pub law: Option<LawResult>,
+    /// Of weighted means of events.
+    pub channels: Vec<ChannelResult>,
+    /// What is drawn.
+    pub series: Series,
+    /// Look-ups per draw.
+    pub lookups: f64,
+    /// Look-ups per draw that the method must make.
+    pub lookups_expected: Option<f64>,
+    /// What the audit counted.
+    pub audit: AuditResult,
+    /// For a step rule: how its error falls.
+    pub order: Option<StepOrder>,
+}
+
+/// How the error of a step rule falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepOrder {
+    /// Like this power of the step.
+    pub predicted: f64,
+    /// The error of the rule's own law or mean.
+    pub bias: f64,
+}
+
+impl Summary {
+    /// With what draws that grew have shown in place of what those of stage 1 did.
+    #[must_use]
+    pub fn grown(mut self, grown: Option<&Grown>) -> Self {
+        let Some(grown) = grown else { return self };
+        if let Some(mean) = &mut self.mean {
+            (mean.bound, mean.grown) = (grown.bound, Some(grown.clone()));
+        }
+        if let Some(law) = &mut self.law {
+            (law.bound, law.grown) = (grown.bound, Some(grown.clone()));
+        }
+        self
+    }
+}

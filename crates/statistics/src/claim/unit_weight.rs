@@ -1,0 +1,34 @@
+use super::{Claim, Finding, Withdrawal, counted};
+use crate::fold::{FoldId, Tallies, UnitWeight};
+use crate::judged::Judged;
+use freepath_draws::Draws;
+use freepath_results::Reason;
+
+/// Every draw has the weight 1: the tests of a law count draws, and a weight would make them mean something else.
+pub struct UnitWeightClaim {
+    /// The column.
+    pub column: &'static str,
+    /// Other weights.
+    pub other: FoldId<UnitWeight>,
+}
+
+impl Claim for UnitWeightClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let (other, what) = (*tallies.counts(self.other), "draws have a weight other than 1");
+        into.facts.extend(counted("unit_weight", other, Reason::WrongLaw, what));
+    }
+
+    fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
+        finite(crate::block::f64(draws, self.column)[row])
+    }
+}
+
+/// A weight is a number.
+pub(super) fn finite(weight: f64) -> Option<Finding> {
+    let what = || format!("a weight is {weight}");
+    (!weight.is_finite()).then(|| Finding { reason: Reason::NonFinite, what: what() })
+}

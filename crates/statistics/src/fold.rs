@@ -1,0 +1,97 @@
+//! Folds: what is tallied over blocks. A claim reads folds, and several claims may read the same one, so that a cell is
+//! located once for each draw.
+//!
+//! Integers merge in any order, so each worker keeps its own counts. Floats do not: each block leaves a part, and parts are
+//! added in block order, whichever worker made them.
+
+use crate::block::{Block, Scratch};
+
+mod auxiliary;
+mod capitals;
+mod cells;
+mod collisions;
+mod ends;
+mod erased;
+mod event;
+mod folds;
+mod lags;
+mod lookups;
+mod nulls;
+mod strays;
+mod ties;
+mod unit_weight;
+mod weight;
+
+pub use auxiliary::Auxiliary;
+pub use capitals::CapitalSums;
+pub use cells::Cells;
+pub use collisions::{Collisions, Histogram};
+pub use ends::Ends;
+pub use event::{Event, EventSums};
+pub use folds::{Counts, FoldId, Folds, Parts, Tallies};
+pub use lags::Lags;
+pub use lookups::{LookupCounts, Lookups};
+pub use nulls::Nulls;
+pub use strays::{StrayCounts, Strays};
+pub use ties::Ties;
+pub use unit_weight::UnitWeight;
+pub use weight::{WeightPart, WeightSums, Weights};
+
+/// Counts that merge in any order.
+pub trait Merge {
+    /// Takes in what another worker, or later blocks, counted.
+    fn merge(&mut self, other: &Self);
+}
+
+/// Float sums, which are added in block order.
+pub trait Ordered {
+    /// What one block leaves.
+    type Part: Send + 'static;
+    /// Takes in the next block.
+    fn fold(&mut self, part: &Self::Part);
+    /// Takes in a later range of blocks.
+    fn extend(&mut self, later: &Self);
+}
+
+/// Told of look-ups while a block is drawn: where, what was found, and the majorant that held there.
+pub trait LookupWatch {
+    /// Look-ups of one tile: three slices of one length.
+    fn look_ups(&mut self, t: &[f64], mu: &[f64], bound: &[f64]);
+}
+
+/// What is tallied over blocks. It knows columns, and no subject.
+pub trait Fold: Send + Sync + 'static {
+    /// Integers: one for each worker.
+    type Counts: Merge + Clone + Send + Sync + 'static;
+    /// Floats: one for a range of blocks.
+    type Sums: Ordered + Clone + Send + Sync + 'static;
+
+    /// Counts before the first block.
+    fn empty(&self) -> Self::Counts;
+
+    /// Sums before the first block.
+    fn no_sums(&self) -> Self::Sums;
+
+    /// Counts the rows of `block`, and sums them up.
+    fn observe(
+        &self,
+        block: &Block,
+        scratch: &mut Scratch,
+        counts: &mut Self::Counts,
+    ) -> <Self::Sums as Ordered>::Part;
+
+    /// What is told of the look-ups of the block at place `nth` while it is drawn. Provided: nothing.
+    fn watch<'a>(&self, _nth: u64, _counts: &'a mut Self::Counts) -> Option<&'a mut dyn LookupWatch> {
+        None
+    }
+}
+
+impl Merge for () {
+    fn merge(&mut self, (): &Self) {}
+}
+
+impl Ordered for () {
+    type Part = ();
+    fn fold(&mut self, (): &()) {}
+    fn extend(&mut self, (): &Self) {}
+}

@@ -1,0 +1,34 @@
+use super::{Fold, Ordered};
+use crate::block::{Block, Scratch};
+use crate::sequence::{Bets, Capitals};
+
+/// What bets on the rows of a column gain.
+pub struct CapitalSums {
+    /// The column.
+    pub column: &'static str,
+    /// The bets.
+    pub bets: Bets,
+}
+
+impl Ordered for Capitals {
+    type Part = Self;
+    fn fold(&mut self, part: &Self) {
+        self.merge(part);
+    }
+    fn extend(&mut self, later: &Self) {
+        self.merge(later);
+    }
+}
+
+impl Fold for CapitalSums {
+    type Counts = ();
+    type Sums = Capitals;
+
+    fn empty(&self) {}
+    fn no_sums(&self) -> Capitals {
+        Capitals::default()
+    }
+    fn observe(&self, block: &Block, _: &mut Scratch, (): &mut ()) -> Capitals {
+        self.bets.on(block.f64(self.column))
+    }
+}
