@@ -7,10 +7,10 @@ use freepath_draws::{Draws, Streams};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Gaussian;
-use freepath_harness::collect::{Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::Plan;
-use freepath_harness::subject::{BLOCK, Scene, Subject, Work};
+use freepath_harness::collect::{Watch, observe};
+use freepath_harness::experiment::InScene;
+use freepath_harness::kind::{FreePathKind, Ray};
+use freepath_harness::subject::{BLOCK, Subject};
 use freepath_statistics::Judged;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
@@ -23,13 +23,13 @@ const DRAWS: u64 = 10_000_000;
 /// Claims, draws, tallies and tests of delta tracking, on the threads of the current pool.
 fn judged(medium: &Gaussian, draws: u64) -> Fallible<Judged> {
     let sampler = DeltaTracking::default();
-    let scene = Scene::Grey { truth: medium, seen: medium };
-    let subject = Subject::new(Work::FreePath(&sampler), scene);
-    let plan = Plan::of(&subject);
+    let experiment = InScene::<FreePathKind>::of(&sampler, Ray::of(medium));
+    let subject = Subject::new(&experiment);
+    let plan = subject.plan();
     let watch = Watch { cancelled: &AtomicBool::new(false), progress: &|_| () };
     let blocks = 0..Subject::blocks(draws);
-    let seen = collect(&subject, &plan, 1, blocks, &watch).map_err(|stopped| format!("{stopped:?}"))?;
-    Ok(judge(&subject, &plan, &seen))
+    let seen = observe(&subject, &plan, 1, blocks, &watch).map_err(|stopped| format!("{stopped:?}"))?;
+    Ok(plan.claims.judge(&seen.tallies))
 }
 
 fn bare(medium: &Gaussian, draws: &mut Draws) {

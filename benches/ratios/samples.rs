@@ -3,12 +3,12 @@
 use crate::clock::{cpu, median};
 use freepath_draws::{Key, random};
 use freepath_estimators::medium::Constant;
-use freepath_harness::collect::{Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::Plan;
+use freepath_harness::collect::{Watch, observe};
+use freepath_harness::experiment::{InScene, Source};
+use freepath_harness::kind::{FreePathKind, Ray};
 use freepath_harness::samples::SampleKind;
 use freepath_harness::source::samples::{Escape, Request, SampleFile};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::subject::Subject;
 use std::fs::File;
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, BufWriter, Read, Write};
@@ -129,19 +129,20 @@ fn judged(path: &Path, medium: &Constant) -> Fallible<()> {
         tolerance: None,
     };
     let file = SampleFile::open(path, &request)?;
-    let scene = Scene::Grey { truth: medium, seen: medium };
+    let source = Source::External(SampleKind::FreePath, &file);
+    let experiment = InScene::<FreePathKind> { source, scene: Ray::of(medium) };
     let subject = Subject {
         draws: file.first_rows(),
         tolerance: file.tolerance(),
         bits: file.resolution_bits(),
-        ..Subject::new(Work::Samples(SampleKind::FreePath, &file), scene)
+        ..Subject::new(&experiment)
     };
-    let plan = Plan::of(&subject);
+    let plan = subject.plan();
     let watch = Watch { cancelled: &AtomicBool::new(false), progress: &|_| () };
     let blocks = Subject::blocks(subject.draws);
     for stage in [0..blocks, blocks..3 * blocks] {
-        let seen = collect(&subject, &plan, 1, stage, &watch).map_err(|stopped| format!("{stopped:?}"))?;
-        black_box(judge(&subject, &plan, &seen));
+        let seen = observe(&subject, &plan, 1, stage, &watch).map_err(|stopped| format!("{stopped:?}"))?;
+        black_box(plan.claims.judge(&seen.tallies));
     }
     Ok(())
 }

@@ -2,10 +2,12 @@
 
 pub mod tools;
 
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{ChromaticSampler, FreePathSampler, TransmittanceEstimator};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
-use freepath_harness::collect::{Stopped, Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::Plan;
+use freepath_harness::collect::{Stopped, Watch, observe};
+use freepath_harness::experiment::InScene;
+use freepath_harness::kind::{Chromatic, FreePathKind, Ray, Transmittance};
 use freepath_harness::run::{Options, run};
 use freepath_harness::subject::Subject;
 use freepath_results::Results;
@@ -97,16 +99,31 @@ impl Judgement {
     }
 }
 
+/// A free-path sampler along a ray.
+pub fn free_path<'a>(sampler: &'a dyn FreePathSampler, ray: Ray<'a>) -> InScene<'a, FreePathKind> {
+    InScene::of(sampler, ray)
+}
+
+/// A transmittance estimator along a ray.
+pub fn transmittance<'a>(estimator: &'a dyn TransmittanceEstimator, ray: Ray<'a>) -> InScene<'a, Transmittance> {
+    InScene::of(estimator, ray)
+}
+
+/// A chromatic sampler in its channels.
+pub fn chromatic<'a>(sampler: &'a dyn ChromaticSampler, medium: &'a ChromaticMedium) -> InScene<'a, Chromatic> {
+    InScene::of(sampler, medium)
+}
+
 /// `subject` through both stages.
 ///
 /// # Panics
 /// Never: nobody cancels.
 #[must_use]
 pub fn judgement(subject: &Subject, seed: u64) -> Judgement {
-    let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
+    let (plan, never) = (subject.plan(), AtomicBool::new(false));
     let watch = Watch { cancelled: &never, progress: &|_| () };
-    let stage = |blocks| match collect(subject, &plan, seed, blocks, &watch) {
-        Ok(seen) => judge(subject, &plan, &seen),
+    let stage = |blocks| match observe(subject, &plan, seed, blocks, &watch) {
+        Ok(seen) => plan.claims.judge(&seen.tallies),
         Err(Stopped::Subject(why)) => Judged::broken(why),
         Err(Stopped::Cancelled) => panic!("nobody cancels"),
     };

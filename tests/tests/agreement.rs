@@ -5,35 +5,58 @@ use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::{Constant, Linear, Sinusoid};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_harness::agree::{Agreement, Variant, agree};
-use freepath_harness::case::Claim;
-use freepath_harness::collect::{Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::Plan;
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::collect::{Watch, observe};
+use freepath_harness::experiment::Experiment;
+use freepath_harness::kind::Ray;
+use freepath_harness::subject::Subject;
 use freepath_statistics::Evidence;
+use freepath_statistics::claim::Withdrawal;
 use freepath_statistics::special::binomial_sf;
-use freepath_tests::{parse, results};
+use freepath_tests::{free_path, parse, results, transmittance};
 use rand::Rng;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 const BLOCKS: u64 = 12;
 
+/// A subject that can be put along a ray.
+#[derive(Clone, Copy)]
+enum Along<'s> {
+    Path(&'s dyn FreePathSampler),
+    Mean(&'s dyn TransmittanceEstimator),
+}
+
+impl<'s> Along<'s> {
+    fn ray(self, ray: Ray<'s>) -> Box<dyn Experiment + 's> {
+        match self {
+            Self::Path(sampler) => Box::new(free_path(sampler, ray)),
+            Self::Mean(estimator) => Box::new(transmittance(estimator, ray)),
+        }
+    }
+}
+
 /// The evidence of one agreement, where nobody knows the truth: and nothing else has a p-value below 1e-4.
-fn of(work: Work, truth: &Arc<dyn Medium>, agreement: Agreement) -> Evidence {
-    let seen = truth.clone();
-    let scene = Scene::Grey { truth, seen: &seen };
-    let subject = Subject { without: &[Claim::Truth], ..Subject::new(work, scene) };
-    let (plan, never) = (Plan::of(&subject), AtomicBool::new(false));
+fn agreement_of(along: Along, truth: &Arc<dyn Medium>, agreement: Agreement) -> Evidence {
+    let experiment = along.ray(Ray::of(truth));
+    let subject = Subject { without: &[Withdrawal::Truth], ..Subject::new(&*experiment) };
+    let (plan, never) = (subject.plan(), AtomicBool::new(false));
     let watch = Watch { cancelled: &never, progress: &|_| () };
-    let own = collect(&subject, &plan, 4, 0..BLOCKS, &watch).expect("it draws");
-    let judged = judge(&subject, &plan, &own);
+    let own = observe(&subject, &plan, 4, 0..BLOCKS, &watch).expect("it draws").tallies;
+    let judged = plan.claims.judge(&own);
     assert!(judged.evidence.iter().all(|evidence| evidence.p > Some(1e-4)), "{judged:?}");
     let other = agreement.setting(truth).expect("there is such a setting");
-    let variant = Variant { agreement, truth: other.clone(), seen: other };
-    let (evidence, facts) = agree(&subject, &plan, &variant, &own, 4, 0..BLOCKS, &watch).expect("it draws");
-    assert!(facts.is_empty() && evidence.name == agreement.test(), "{facts:?}");
-    evidence
+    let variant = Variant { agreement, experiment: along.ray(Ray::of(&other)) };
+    let compared = agree(&subject, &plan, &variant, &own, 4, 0..BLOCKS, &watch).expect("it draws");
+    assert!(compared.facts.is_empty() && compared.evidence.name == agreement.test(), "{:?}", compared.facts);
+    compared.evidence
+}
+
+fn of_path(sampler: &dyn FreePathSampler, truth: &Arc<dyn Medium>, agreement: Agreement) -> Evidence {
+    agreement_of(Along::Path(sampler), truth, agreement)
+}
+
+fn of_mean(estimator: &dyn TransmittanceEstimator, truth: &Arc<dyn Medium>, agreement: Agreement) -> Evidence {
+    agreement_of(Along::Mean(estimator), truth, agreement)
 }
 
 fn waves() -> Arc<dyn Medium> {
@@ -76,8 +99,8 @@ impl TransmittanceEstimator for Ratio {
 fn ratio_tracking_that_also_kills_depends_on_the_majorant() {
     let (right, wrong) = (Ratio(|p, _| 1.0 - p), Ratio(|p, u| if u < p { 0.0 } else { 1.0 - p }));
     for agreement in [Agreement::Majorant, Agreement::Segments] {
-        assert!(rejects(&of(Work::Transmittance(&wrong), &waves(), agreement)), "{agreement:?}");
-        assert!(!rejects(&of(Work::Transmittance(&right), &waves(), agreement)), "{agreement:?}");
+        assert!(rejects(&of_mean(&wrong, &waves(), agreement)), "{agreement:?}");
+        assert!(!rejects(&of_mean(&right, &waves(), agreement)), "{agreement:?}");
     }
 }
 
@@ -114,8 +137,8 @@ fn segment_at(medium: &dyn Extinction, t: f64) -> (f64, f64) {
 #[test]
 fn a_walk_under_the_first_bound_for_ever_depends_on_the_segments() {
     let wrong = Delta(|medium, _| (medium.majorants().mu_bar_at(0.0), medium.length()));
-    assert!(rejects(&of(Work::FreePath(&wrong), &rising(), Agreement::Segments)));
-    assert!(!rejects(&of(Work::FreePath(&Delta(segment_at)), &rising(), Agreement::Segments)));
+    assert!(rejects(&of_path(&wrong, &rising(), Agreement::Segments)));
+    assert!(!rejects(&of_path(&Delta(segment_at), &rising(), Agreement::Segments)));
 }
 
 #[test]
@@ -132,8 +155,8 @@ fn a_step_beyond_each_face_depends_on_the_grid() {
         }
         f64::INFINITY
     };
-    assert!(rejects(&of(Work::FreePath(&wrong), &homogeneous(), Agreement::Grid)));
-    assert!(!rejects(&of(Work::FreePath(&Delta(segment_at)), &homogeneous(), Agreement::Grid)));
+    assert!(rejects(&of_path(&wrong, &homogeneous(), Agreement::Grid)));
+    assert!(!rejects(&of_path(&Delta(segment_at), &homogeneous(), Agreement::Grid)));
     assert!(Agreement::Grid.setting(&waves()).is_err_and(|why| why.contains("only a homogeneous medium")));
 }
 
@@ -149,7 +172,7 @@ impl TransmittanceEstimator for Left {
 
 #[test]
 fn a_rule_that_looks_one_way_depends_on_the_direction() {
-    assert!(rejects(&of(Work::Transmittance(&Left), &rising(), Agreement::Reversed)));
+    assert!(rejects(&of_mean(&Left, &rising(), Agreement::Reversed)));
     let wrong = |medium: &dyn Extinction, rng: &mut dyn Rng| {
         let (mut depth, h) = (exponential(rng), medium.length() / 16.0);
         for i in 0..16 {
@@ -161,8 +184,8 @@ fn a_rule_that_looks_one_way_depends_on_the_direction() {
         }
         f64::INFINITY
     };
-    assert!(rejects(&of(Work::FreePath(&wrong), &rising(), Agreement::Reversed)));
-    assert!(!rejects(&of(Work::FreePath(&Delta(segment_at)), &rising(), Agreement::Reversed)));
+    assert!(rejects(&of_path(&wrong, &rising(), Agreement::Reversed)));
+    assert!(!rejects(&of_path(&Delta(segment_at), &rising(), Agreement::Reversed)));
 }
 
 const LEVEL: [&str; 2] = [

@@ -2,8 +2,9 @@
 //! shows it with all.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{Case, CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::case::{Case, CaseFile, Limits};
 use freepath_harness::fault::Fault;
+use freepath_harness::kind::KINDS;
 use freepath_tests::{case_paths, load, results, root, surprises};
 use std::collections::BTreeSet;
 
@@ -20,8 +21,7 @@ fn every_name_is_in_a_case() {
     let paths = [case_paths("cases"), case_paths("adapters/examples")].concat();
     let text: String = paths.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
-    let subjects =
-        FreePathSubject::names().iter().chain(TransmittanceSubject::names()).chain(ChromaticSubject::names());
+    let subjects = KINDS.iter().flat_map(|kind| (kind.names)());
     for name in subjects.chain(AnyMedium::NAMES).copied().chain(faults) {
         assert!(text.contains(&format!("\"{name}\"")), "no case names {name:?}");
     }

@@ -4,9 +4,11 @@ use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::FreePathClaims;
 use freepath_estimators::medium::Sinusoid;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::experiment::{InScene, Source};
+use freepath_harness::kind::{FreePathKind, Ray};
+use freepath_harness::subject::Subject;
 use freepath_results::{Reason, Verdict};
-use freepath_tests::{Judgement, judgement};
+use freepath_tests::{Judgement, free_path, judgement};
 use rand::Rng;
 
 fn medium() -> Sinusoid {
@@ -34,8 +36,8 @@ impl FreePathSampler for Ends {
 fn of(start: f64, change: fn(f64, &mut dyn Rng) -> f64, draws: u64) -> Judgement {
     let truth = medium();
     let sampler = Ends { medium: medium(), start, change };
-    let scene = Scene::Grey { truth: &truth, seen: &truth };
-    judgement(&Subject { draws, ..Subject::new(Work::FreePath(&sampler), scene) }, 11)
+    let ray = Ray::of(&truth);
+    judgement(&Subject { draws, ..Subject::new(&free_path(&sampler, ray)) }, 11)
 }
 
 #[test]
@@ -68,8 +70,9 @@ fn few_collisions_are_withheld() {
     let few = of(0.99, |t, _| t, 1);
     assert!(few.p("berk_jones").is_some(), "16,384 draws");
     let thin = freepath_estimators::medium::Constant::new(1e-3, 1.0).expect("a medium");
-    let scene = Scene::Grey { truth: &thin, seen: &thin };
-    let judgement = judgement(&Subject { draws: 1, ..Subject::new(Work::Exact, scene) }, 3);
+    let ray = Ray::of(&thin);
+    let exact = InScene::<FreePathKind> { source: Source::Control, scene: ray };
+    let judgement = judgement(&Subject { draws: 1, ..Subject::new(&exact) }, 3);
     let evidence = judgement.stages[0].evidence.iter().find(|evidence| evidence.name == "berk_jones");
     assert!(
         evidence.is_some_and(|evidence| evidence.p.is_none() && evidence.note.contains("100")),

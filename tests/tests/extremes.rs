@@ -67,10 +67,10 @@ fn complaints(text: &str, draws: u64) -> Vec<String> {
     for case in &file.prepare(&limits).unwrap_or_else(|error| panic!("{error}")) {
         for prepared in &case.subjects {
             for (seed, route) in [(1, Route::Block), (2, Route::Scalar), (3, Route::Block)] {
-                let subject = Subject { route, ..prepared.runnable(&case.world, &case.case) };
+                let subject = Subject { route, ..prepared.runnable(&case.case) };
                 found.extend(
                     complaint(&subject, seed)
-                        .map(|why| format!("{draws} draws of {} {}: {why}", prepared.kind(), prepared.name)),
+                        .map(|why| format!("{draws} draws of {} {}: {why}", prepared.spec.kind(), prepared.name)),
                 );
             }
         }

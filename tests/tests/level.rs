@@ -1,15 +1,18 @@
 //! Every test keeps its level, and so does a run: the short form of `freepath soak`.
 
 use freepath_draws::random::uniform;
-use freepath_estimators::free_path::DeltaTracking;
+use freepath_estimators::free_path::{AnyFreePath, DeltaTracking};
 use freepath_estimators::medium::Constant;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::case::{Limits, Prepared};
+use freepath_harness::experiment::{Placed, PlacedSource};
+use freepath_harness::kind::{FreePathKind, PlacedRay, Ray};
+use freepath_harness::scene::MediumScene;
 use freepath_harness::soak::{Options, quick, seed_of, soak};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::subject::Subject;
 use freepath_results::{Reason, SoakResults};
 use freepath_statistics::special::binomial_two_sided;
-use freepath_tests::{judgement, results};
+use freepath_tests::{free_path, judgement, results};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -37,11 +40,15 @@ fn p_values_follow_their_laws_and_alarms_are_as_rare_as_designed() {
 #[test]
 fn a_truth_that_is_not_the_medium_breaks_the_level() {
     let mut cases = cases(65_536);
-    let other = cases[1].subjects[0].truth.clone();
+    let medium =
+        |i: usize| cases[i].scene.get().map(|MediumScene(medium)| medium.clone()).expect("one extinction");
+    let (seen, truth) = (medium(0), medium(1));
     cases.truncate(1);
     cases[0].subjects.truncate(1);
     assert!(soaked(&cases, 3).holds);
-    cases[0].subjects[0].truth = other;
+    let source =
+        PlacedSource::<FreePathKind>::Sampler(Arc::new(AnyFreePath::DeltaTracking(DeltaTracking::default())));
+    cases[0].subjects[0].experiment = Box::new(Placed { source, scene: PlacedRay { truth, seen } });
     let found = soaked(&cases, 3);
     assert!(!found.holds && found.levels.iter().all(|level| level.confirmed.count == 3), "{:?}", found.levels);
 }
@@ -89,8 +96,9 @@ impl FreePathSampler for Marked {
 #[test]
 fn marks_keep_their_level() {
     let medium = Constant::new(1.3, 2.1).expect("a medium");
-    let scene = Scene::Grey { truth: &medium, seen: &medium };
-    let subject = Subject { draws: 16_384, ..Subject::new(Work::FreePath(&Marked), scene) };
+    let ray = Ray::of(&medium);
+    let experiment = free_path(&Marked, ray);
+    let subject = Subject { draws: 16_384, ..Subject::new(&experiment) };
     let p: Vec<f64> = (0..300).filter_map(|seed| judgement(&subject, 1000 + seed).p("mark")).collect();
     for level in [0.01, 0.05, 0.25, 0.5, 0.75] {
         let below = p.iter().filter(|p| !(**p > level)).count() as u64;

@@ -1,12 +1,11 @@
 //! Every claim is put to the scalar method as to the block method: a wrapper hides each block method.
 
-use freepath_harness::case::{Claim, Limits, PreparedSubject};
-use freepath_harness::collect::{Stopped, Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::{Design, Plan};
+use freepath_harness::case::{Limits, PreparedSubject};
+use freepath_harness::collect::{Stopped, Watch, observe};
 use freepath_harness::run::expected;
 use freepath_harness::subject::{Route, Subject};
 use freepath_statistics::Judged;
+use freepath_statistics::claim::{Design, Withdrawal};
 use freepath_statistics::decide::{Stage, adjust, decide, suspect};
 use freepath_tests::{case_paths, load};
 use std::sync::atomic::AtomicBool;
@@ -18,9 +17,9 @@ fn every_claim_holds_for_the_scalar_method() {
     let mut wrong = Vec::new();
     for case in &cases {
         // Without the truth there are agreements alone, which `agreement.rs` draws one by one.
-        let known = |subject: &&PreparedSubject| !subject.spec.without.contains(&Claim::Truth);
+        let known = |subject: &&PreparedSubject| !subject.spec.without.contains(&Withdrawal::Truth);
         for prepared in case.subjects.iter().filter(|subject| subject.faults.is_empty()).filter(known) {
-            let subject = Subject { route: Route::Scalar, ..prepared.runnable(&case.world, &case.case) };
+            let subject = Subject { route: Route::Scalar, ..prepared.runnable(&case.case) };
             // Nothing grows here, so that what growth is to find is not asked for.
             let stated = prepared.spec.expect.filter(|_| subject.bias_bound.is_none());
             wrong.extend(surprise(&subject, stated).map(|why| format!("{} {}: {why}", case.file, prepared.name)));
@@ -30,11 +29,11 @@ fn every_claim_holds_for_the_scalar_method() {
 }
 
 fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectation>) -> Option<String> {
-    let (plan, never) = (Plan::of(subject), AtomicBool::new(false));
+    let (plan, never) = (subject.plan(), AtomicBool::new(false));
     let watch = Watch { cancelled: &never, progress: &|_| () };
     let blocks = Subject::blocks(subject.draws);
-    let stage = |range| match collect(subject, &plan, 11, range, &watch) {
-        Ok(seen) => judge(subject, &plan, &seen),
+    let stage = |range| match observe(subject, &plan, 11, range, &watch) {
+        Ok(seen) => plan.claims.judge(&seen.tallies),
         Err(Stopped::Subject(why)) => Judged::broken(why),
         Err(Stopped::Cancelled) => panic!("nobody cancels"),
     };
@@ -43,8 +42,9 @@ fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectati
     let (one, two) = (adjust([Some(&first)].into_iter()), adjust([second.as_ref()].into_iter()));
     let again = second.as_ref().map(|judged| Stage { judged, adjusted: &two.0[0] });
     let decision = decide(Stage { judged: &first, adjusted: &one.0[0] }, again);
-    let (wanted, _, as_expected) = expected(stated, false, plan.design, &decision);
-    let unsure = plan.design == Design::Unsure;
+    let design = subject.design(&plan);
+    let (wanted, _, as_expected) = expected(stated, false, design, &decision);
+    let unsure = design == Design::Unsure;
     (!as_expected && !unsure)
         .then(|| format!("{} where {wanted} is expected: {:?}", decision.verdict, decision.notes))
 }

@@ -1,8 +1,9 @@
 //! `case.schema.json` is the schema of a case, and knows every name and every field.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{self, CaseFile, ChromaticSubject, FreePathSubject, TransmittanceSubject};
+use freepath_harness::case::{self, CaseFile};
 use freepath_harness::fault::Fault;
+use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
 use serde_json::Value;
 use std::fs;
@@ -40,8 +41,7 @@ fn every_name_is_in_the_schema() {
     words(&case::schema(), &mut found);
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
-    let subjects = [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::names()];
-    let subjects = subjects.into_iter().flatten().copied();
+    let subjects = KINDS.iter().flat_map(|kind| (kind.names)()).copied();
     let media = AnyMedium::NAMES.iter().copied();
     for name in faults.chain(reasons).chain(subjects).chain(media) {
         assert!(found.iter().any(|word| word == name), "{name} is not in the schema");

@@ -4,8 +4,11 @@ use crate::callback::Callback;
 use crate::fp_sample;
 use crate::message::{get, put};
 use freepath_harness::assert::{Effort, verify};
-use freepath_harness::case::{CaseFile, Limits, World};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::case::{CaseFile, Limits};
+use freepath_harness::experiment::{Experiment, InScene};
+use freepath_harness::kind::{FreePathKind, Ray, Transmittance};
+use freepath_harness::scene::MediumScene;
+use freepath_harness::subject::Subject;
 use freepath_results::Verdict;
 use std::any::Any;
 use std::ffi::{c_char, c_void};
@@ -69,7 +72,11 @@ pub unsafe extern "C" fn fp_check_free_path(
     capacity: usize,
 ) -> fp_verdict {
     // SAFETY: the caller's promise.
-    unsafe { check(medium, sample, user, options, (message, capacity), |callback| Work::FreePath(callback)) }
+    unsafe {
+        check(medium, sample, user, options, (message, capacity), |callback, ray| {
+            Box::new(InScene::<FreePathKind>::of(callback, ray))
+        })
+    }
 }
 
 /// Judges a transmittance estimator: `sample` returns an estimate of exp(-tau(length)). See `fp_check_free_path`.
@@ -86,8 +93,15 @@ pub unsafe extern "C" fn fp_check_transmittance(
     capacity: usize,
 ) -> fp_verdict {
     // SAFETY: the caller's promise.
-    unsafe { check(medium, sample, user, options, (message, capacity), |callback| Work::Transmittance(callback)) }
+    unsafe {
+        check(medium, sample, user, options, (message, capacity), |callback, ray| {
+            Box::new(InScene::<Transmittance>::of(callback, ray))
+        })
+    }
 }
+
+/// A callback in its medium, as a subject of one kind.
+type ExperimentOf = for<'a> fn(&'a Callback, Ray<'a>) -> Box<dyn Experiment + 'a>;
 
 /// # Safety
 /// As for `fp_check_free_path`.
@@ -97,7 +111,7 @@ unsafe fn check(
     user: *mut c_void,
     options: *const fp_options,
     (message, capacity): (*mut c_char, usize),
-    work: impl for<'a> Fn(&'a Callback) -> Work<'a>,
+    experiment: ExperimentOf,
 ) -> fp_verdict {
     // SAFETY: the caller's promise.
     let (medium, options) = unsafe { (get(medium), options.as_ref().copied()) };
@@ -105,7 +119,7 @@ unsafe fn check(
     let judged = catch_unwind(AssertUnwindSafe(|| {
         let draw = sample.ok_or("the callback is null")?;
         let medium = medium.ok_or("the medium is null or not UTF-8")?;
-        judge(medium, &Callback { draw, user, bounded: options.bounded }, &options, &work)
+        judge(medium, &Callback { draw, user, bounded: options.bounded }, &options, experiment)
     }));
     let (verdict, text) = match judged {
         Ok(Ok(judged)) => judged,
@@ -126,7 +140,7 @@ fn judge(
     medium: &str,
     callback: &Callback,
     options: &fp_options,
-    work: &impl for<'a> Fn(&'a Callback) -> Work<'a>,
+    experiment: ExperimentOf,
 ) -> Result<(fp_verdict, String), String> {
     require(options.draws >= 1 && options.draws <= 1_000_000_000_000, "draws", "1 to 1e12")?;
     require(options.tolerance >= 0.0 && options.tolerance <= 1.0, "tolerance", "0 to 1")?;
@@ -137,15 +151,13 @@ fn judge(
     );
     let case = CaseFile::parse(Path::new("medium"), text).and_then(|case| case.prepare(&Limits::default()));
     let cases = case.map_err(|why| why.render(false))?;
-    let Some(World::Grey(truth)) = cases.first().map(|case| &case.world) else {
+    let scene = cases.first().and_then(|case| case.scene.get());
+    let Some(MediumScene(medium)) = scene else {
         return Err("a medium with channels cannot be sampled by one callback".into());
     };
-    let scene = Scene::Grey { truth, seen: truth };
-    let subject = Subject {
-        tolerance: options.tolerance,
-        bits: options.resolution_bits,
-        ..Subject::new(work(callback), scene)
-    };
+    let experiment = experiment(callback, Ray::of(medium));
+    let subject =
+        Subject { tolerance: options.tolerance, bits: options.resolution_bits, ..Subject::new(&*experiment) };
     let effort = Effort { seed: options.seed, draws: options.draws };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads as usize);
     let pool = pool.build().map_err(|why| format!("cannot start threads: {why}"))?;

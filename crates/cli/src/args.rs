@@ -1,7 +1,9 @@
 //! What the command line takes.
 
 use crate::number;
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use freepath_harness::kind::KINDS;
 use freepath_harness::source::samples::{Escape, Format};
 use std::path::PathBuf;
 
@@ -132,8 +134,8 @@ pub(crate) struct Check {
     #[arg(long, value_name = "CASE")]
     pub(crate) case: PathBuf,
     /// What they are.
-    #[arg(long = "as", value_name = "KIND")]
-    pub(crate) kind: Kind,
+    #[arg(long = "as", value_name = "KIND", value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name)))]
+    pub(crate) kind: String,
     /// The column of the draws, by name or by number from 0 [default: the only one].
     #[arg(long, value_name = "NAME")]
     pub(crate) column: Option<String>,
@@ -164,18 +166,6 @@ pub(crate) struct Check {
     /// Where results go.
     #[command(flatten)]
     pub(crate) output: Output,
-}
-
-/// What samples are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-pub(crate) enum Kind {
-    /// Distances to the first collision.
-    FreePath,
-    /// Estimates of the transmittance of the whole ray.
-    Transmittance,
-    /// Tables of t, event and one weight per channel.
-    Chromatic,
 }
 
 /// A value that a case would name.

@@ -17,8 +17,9 @@ mod trouble;
 
 use args::{Verb, When};
 use clap::{CommandFactory, FromArgMatches};
-use freepath_estimators::{ChromaticSampler, FreePathSampler, List, TransmittanceEstimator};
+use freepath_estimators::List;
 use freepath_harness::case::Lists;
+use freepath_harness::kind::{Kind, KindOf};
 use std::io::{Write, stderr};
 use std::process::ExitCode;
 use trouble::Trouble;
@@ -52,7 +53,7 @@ use trouble::Trouble;
 /// }
 ///
 /// fn main() -> ExitCode {
-///     freepath_cli::Command::named("my_freepath").free_path::<Samplers>().run()
+///     freepath_cli::Command::named("my_freepath").list::<Samplers>().run()
 /// }
 /// ```
 #[must_use]
@@ -67,23 +68,13 @@ impl Command {
         Self { name, lists: None }
     }
 
-    /// Cases may name the free-path samplers of `L` as well.
-    pub fn free_path<L: List<Target = dyn FreePathSampler>>(self) -> Self {
-        self.with(Lists::free_path::<L>)
-    }
-
-    /// Cases may name the transmittance estimators of `L` as well.
-    pub fn transmittance<L: List<Target = dyn TransmittanceEstimator>>(self) -> Self {
-        self.with(Lists::transmittance::<L>)
-    }
-
-    /// Cases may name the chromatic samplers of `L` as well.
-    pub fn chromatic<L: List<Target = dyn ChromaticSampler>>(self) -> Self {
-        self.with(Lists::chromatic::<L>)
-    }
-
-    fn with(self, add: fn(Lists) -> Lists) -> Self {
-        Self { lists: Some(add(self.lists.unwrap_or_default())), ..self }
+    /// Cases may name the samplers of `L` as well, whichever kind they are of.
+    pub fn list<L: List>(self) -> Self
+    where
+        L::Target: KindOf,
+        <L::Target as KindOf>::Kind: Kind<Sampler<'static> = L::Target>,
+    {
+        Self { lists: Some(self.lists.unwrap_or_default().list::<L>()), ..self }
     }
 
     /// Does what the arguments of the process ask for, once in a process. The code is 2 if a name is listed twice.
@@ -129,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_name_that_is_taken_ends_the_program_before_it_starts() {
-        let refused = Command::named("freepath").free_path::<AnyFreePath>().obey().unwrap_err();
+        let refused = Command::named("freepath").list::<AnyFreePath>().obey().unwrap_err();
         assert_eq!(refused.code(), 2);
         let told = refused.message();
         assert!(

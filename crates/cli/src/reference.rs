@@ -9,6 +9,7 @@ pub(crate) use fields::Field;
 use fields::fields;
 use freepath_harness::case;
 use freepath_harness::describe;
+use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
 use freepath_statistics::hypothesis;
 use serde_json::Value;
@@ -35,26 +36,35 @@ impl Entry {
     }
 }
 
-/// The parts of a case whose names are in its schema: what they are called, and the definition.
-const IN_SCHEMA: &[(&str, &str)] = &[
-    ("free_path", "FreePathSubject"),
-    ("transmittance", "TransmittanceSubject"),
-    ("chromatic", "ChromaticSubject"),
-    ("medium", "AnyMedium"),
-    ("majorant", "MajorantChoice"),
-    ("fault", "Fault"),
-    ("claim", "Claim"),
-    ("agreement", "Agreement"),
-];
+/// A part of a case whose names are in its schema.
+struct InSchema {
+    /// What it is called.
+    kind: &'static str,
+    /// Its definition.
+    definition: String,
+}
+
+/// The kinds of subjects, and what else a case names.
+fn in_schema() -> impl Iterator<Item = InSchema> {
+    let subjects = KINDS.iter().map(|kind| InSchema { kind: kind.name, definition: kind.definition() });
+    let others = [
+        ("medium", "AnyMedium"),
+        ("majorant", "MajorantChoice"),
+        ("fault", "Fault"),
+        ("claim", "Claim"),
+        ("agreement", "Agreement"),
+    ];
+    subjects.chain(others.map(|(kind, definition)| InSchema { kind, definition: definition.into() }))
+}
 
 /// Every name, by kind.
 pub(crate) fn entries() -> Vec<Entry> {
     let schema = case::schema();
-    let of_kind = |&(kind, definition): &(&'static str, &str)| {
-        let variants = variants(&schema, &schema["$defs"][definition]);
-        variants.into_iter().map(move |(name, body, words)| (kind, name, body, words))
+    let of_kind = |part: InSchema| {
+        let variants = variants(&schema, &schema["$defs"][&part.definition]);
+        variants.into_iter().map(move |(name, body, words)| (part.kind, name, body, words))
     };
-    let known = IN_SCHEMA.iter().flat_map(of_kind);
+    let known = in_schema().flat_map(of_kind);
     let mut entries: Vec<Entry> = known
         .map(|(kind, name, body, words)| {
             let fields = fields(&schema, body);

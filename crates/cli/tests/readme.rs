@@ -2,9 +2,10 @@
 //! name out.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{CaseFile, ChromaticSubject, FreePathSubject, Limits, TransmittanceSubject};
+use freepath_harness::case::{CaseFile, Limits};
 use freepath_harness::describe::CHECKS;
 use freepath_harness::fault::Fault;
+use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
 use freepath_statistics::hypothesis::NAMES;
 use std::collections::BTreeSet;
@@ -123,9 +124,8 @@ fn the_code_is_that_of_the_example() {
 #[test]
 fn every_name_is_told() {
     let readme = text("README.md");
-    let subjects =
-        [FreePathSubject::names(), TransmittanceSubject::names(), ChromaticSubject::names(), AnyMedium::NAMES];
-    let names = subjects.into_iter().flatten().copied();
+    let subjects = KINDS.iter().flat_map(|kind| (kind.names)());
+    let names = subjects.chain(AnyMedium::NAMES).copied();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
     for name in names.chain(faults).chain(reasons) {
@@ -153,7 +153,7 @@ fn every_control_is_in_the_power_table() {
         let path = case.unwrap().path();
         let prepared = CaseFile::load(&path).and_then(|case| case.prepare(&Limits::default())).unwrap();
         for subject in prepared.iter().flat_map(|case| &case.subjects) {
-            let row = format!("| {}: {} |", subject.kind(), subject.name.replace('|', "\\|"));
+            let row = format!("| {}: {} |", subject.spec.kind(), subject.name.replace('|', "\\|"));
             assert!(table.contains(&row), "docs/power.md has no row of {} in {}", subject.name, path.display());
         }
     }

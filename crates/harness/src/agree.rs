@@ -9,12 +9,12 @@
 //!
 //! Each draws as much again, from streams of its own, and is one two-sample test in each stage. Nobody needs to know tau.
 
-use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::judge::judge;
-use crate::plan::Plan;
-use crate::subject::{Scene, Subject};
+use crate::collect::{Stopped, Watch, collect};
+use crate::experiment::{Experiment, Plan};
+use crate::subject::Subject;
 use freepath_estimators::Medium;
-use freepath_statistics::hypothesis::{Sample, agree_atom, agree_law, agree_mean};
+use freepath_statistics::claim::{Agreed, Comparable};
+use freepath_statistics::fold::Tallies;
 use freepath_statistics::{Evidence, Fact};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -59,20 +59,33 @@ impl Agreement {
     pub fn setting(self, truth: &Arc<dyn Medium>) -> Result<Arc<dyn Medium>, String> {
         setting::of(self, truth)
     }
+
+    /// Whether distances have the same law there, or only the same share of escapes.
+    fn keeps_the_law(self) -> bool {
+        match self {
+            Self::Majorant | Self::Segments | Self::Grid => true,
+            Self::Reversed => false,
+        }
+    }
 }
 
 /// The other setting of one agreement.
-pub struct Variant {
+pub struct Variant<'a> {
     /// Which.
     pub agreement: Agreement,
-    /// The medium under the majorants that the subject should have.
-    pub truth: Arc<dyn Medium>,
-    /// The same under those that it sees.
-    pub seen: Arc<dyn Medium>,
+    /// The subject there.
+    pub experiment: Box<dyn Experiment + 'a>,
 }
 
-/// Draws `subject` in the setting of `variant` and compares it with what was collected in its own: the evidence, and what
-/// contradicts a claim there.
+/// What an agreement found.
+pub struct Compared {
+    /// Of the two-sample test.
+    pub evidence: Evidence,
+    /// What contradicts a claim in the other setting.
+    pub facts: Vec<Fact>,
+}
+
+/// Draws `subject` in the setting of `variant` and compares it with what was tallied in its own.
 ///
 /// # Errors
 /// If the subject fails there, or the run is cancelled.
@@ -80,36 +93,20 @@ pub fn agree(
     subject: &Subject,
     plan: &Plan,
     variant: &Variant,
-    own: &Collected,
+    own: &Tallies,
     seed: u64,
     blocks: Range<u64>,
     watch: &Watch,
-) -> Result<(Evidence, Vec<Fact>), Stopped> {
-    let scene = Scene::Grey { truth: &variant.truth, seen: &variant.seen };
+) -> Result<Compared, Stopped> {
     let key = subject.key ^ crate::hash::hash(variant.agreement.test());
-    let there = Subject { scene, key, ..subject.clone() };
-    let other = collect(&there, plan, seed, blocks, watch)?;
-    let facts = judge(&there, plan, &other).facts;
-    Ok((evidence(subject, plan, variant.agreement, own, &other), facts))
-}
-
-/// One two-sample test: of the means, or of the escapes and, along the same ray, of the distances of the others.
-fn evidence(subject: &Subject, plan: &Plan, which: Agreement, own: &Collected, other: &Collected) -> Evidence {
-    let name = which.test();
-    if let (Some(a), Some(b), Some(mean)) = (&own.mean, &other.mean, &plan.mean) {
-        let (range, slack) = (mean.truth.range, 2.0 * subject.tolerance);
-        return agree_mean(name, [a, b], &Sample { range, binary: mean.truth.binary, slack });
-    }
-    let cells = [own, other].map(|seen| seen.counts.cells.as_ref());
-    match (cells, &plan.law) {
-        ([Some(a), Some(b)], Some(law)) => {
-            let slack = 2.0 * subject.tolerance;
-            if which == Agreement::Reversed {
-                agree_atom(name, [a, b], slack, law.reason)
-            } else {
-                agree_law(name, [a, b], slack, law.reason)
-            }
-        }
-        _ => Evidence::withheld(name, f64::NAN, freepath_results::Reason::WrongLaw, "there is nothing to compare"),
-    }
+    let there = Subject { experiment: &*variant.experiment, key, ..subject.clone() };
+    let claimed = there.plan();
+    let other = collect(&there, &claimed.claims.folds, seed, blocks, watch)?.tallies;
+    let test = Agreed {
+        name: variant.agreement.test(),
+        whole_law: variant.agreement.keeps_the_law(),
+        slack: 2.0 * subject.tolerance,
+    };
+    let evidence = Comparable::agree(plan.claims.comparable(own), claimed.claims.comparable(&other), &test);
+    Ok(Compared { evidence, facts: claimed.claims.judge(&other).facts })
 }

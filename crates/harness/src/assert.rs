@@ -1,11 +1,11 @@
 //! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
 
-use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::judge::judge;
+use crate::collect::{Collected, Stopped, Watch, observe};
+use crate::experiment::{Experiment, InScene, Plan};
+use crate::kind::{Chromatic, FreePathKind, Ray, Transmittance};
 use crate::noiseless;
-use crate::plan::Plan;
-use crate::subject::{Route, Scene, Subject, Work};
-use freepath_estimators::medium::Chromatic;
+use crate::subject::{Route, Subject};
+use freepath_estimators::medium;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_results::Verdict;
 use freepath_statistics::Judged;
@@ -30,10 +30,7 @@ const LOOKUPS_PER_DRAW: u64 = 20_000;
 /// With what failed, by how much, with which p-value, and how to replay it.
 #[track_caller]
 pub fn assert_free_path(sampler: &impl FreePathSampler, medium: &impl Medium) {
-    assert_subject(
-        &Subject::new(Work::FreePath(sampler), Scene::Grey { truth: medium, seen: medium }),
-        Location::caller(),
-    );
+    assert_experiment(&InScene::<FreePathKind>::of(sampler, Ray::of(medium)), Location::caller());
 }
 
 /// Panics unless the mean of `estimator` is the transmittance of `medium`; see [`assert_free_path`].
@@ -42,8 +39,7 @@ pub fn assert_free_path(sampler: &impl FreePathSampler, medium: &impl Medium) {
 /// With what failed, by how much, with which p-value, and how to replay it.
 #[track_caller]
 pub fn assert_transmittance(estimator: &impl TransmittanceEstimator, medium: &impl Medium) {
-    let scene = Scene::Grey { truth: medium, seen: medium };
-    assert_subject(&Subject::new(Work::Transmittance(estimator), scene), Location::caller());
+    assert_experiment(&InScene::<Transmittance>::of(estimator, Ray::of(medium)), Location::caller());
 }
 
 /// Panics unless the weights of `sampler` have the right means in every channel of `medium`, for scattering, in bins of t
@@ -52,17 +48,17 @@ pub fn assert_transmittance(estimator: &impl TransmittanceEstimator, medium: &im
 /// # Panics
 /// With what failed, by how much, with which p-value, and how to replay it.
 #[track_caller]
-pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &Chromatic) {
-    assert_subject(&Subject::new(Work::Chromatic(sampler), Scene::Chromatic(medium.medium())), Location::caller());
+pub fn assert_chromatic(sampler: &impl ChromaticSampler, medium: &medium::Chromatic) {
+    assert_experiment(&InScene::<Chromatic>::of(sampler, medium.medium()), Location::caller());
 }
 
-fn assert_subject(subject: &Subject, caller: &Location) {
+fn assert_experiment(experiment: &dyn Experiment, caller: &Location) {
     if let Err(why) = freepath_draws::simd::check_environment() {
         panic!("{why}");
     }
     let effort = Effort { seed: setting("FREEPATH_SEED", 1), draws: setting("FREEPATH_DRAWS", DRAWS) };
     for route in [Route::Block, Route::Scalar] {
-        let subject = Subject { route, ..subject.clone() };
+        let subject = Subject { route, ..Subject::new(experiment) };
         let (verdict, mut text) = verify(&subject, effort);
         if verdict != Verdict::Pass {
             let how = if route == Route::Block { "drawn in blocks" } else { "drawn one by one" };
@@ -91,7 +87,7 @@ pub struct Effort {
 #[must_use]
 pub fn verify(subject: &Subject, Effort { seed, draws }: Effort) -> (Verdict, String) {
     let subject = Subject { draws, lookups_per_draw: LOOKUPS_PER_DRAW, ..subject.clone() };
-    let plan = Plan::of(&subject);
+    let plan = subject.plan();
     let trial = Trial::run(&subject, &plan, seed);
     let decision = trial.decide();
     (decision.verdict, trial.message(&subject, &decision))
@@ -123,7 +119,7 @@ impl Trial {
     fn run(subject: &Subject, plan: &Plan, seed: u64) -> Self {
         let (cancelled, blocks) = (AtomicBool::new(false), Subject::blocks(subject.draws));
         let watch = Watch { cancelled: &cancelled, progress: &|_| () };
-        let stage = |blocks| judged(subject, plan, collect(subject, plan, seed, blocks, &watch));
+        let stage = |blocks| judged(plan, observe(subject, plan, seed, blocks, &watch));
         let mut first = stage(0..blocks);
         first.facts.extend(noiseless::facts(subject, plan, seed));
         let second = suspect(&first).then(|| stage(blocks..3 * blocks));
@@ -139,13 +135,7 @@ impl Trial {
 
     fn message(&self, subject: &Subject, decision: &Decision) -> String {
         let passed = decision.verdict == Verdict::Pass;
-        let what = match subject.work {
-            _ if passed => "no claim is rejected",
-            Work::FreePath(_) | Work::Exact => "the sampler does not follow the free-path law",
-            Work::Transmittance(_) | Work::ClosedForm => "the mean of the estimator is not the transmittance",
-            Work::Chromatic(_) => "the weights of the chromatic sampler are wrong",
-            Work::Samples(..) => "the samples are wrong",
-        };
+        let what = if passed { "no claim is rejected" } else { subject.experiment.wrong() };
         let mut text = format!("{what}: {}\n", decision.verdict);
         for note in &decision.notes {
             let _ = writeln!(text, "  {note}");
@@ -159,9 +149,9 @@ impl Trial {
     }
 }
 
-fn judged(subject: &Subject, plan: &Plan, collected: Result<Collected, Stopped>) -> Judged {
+fn judged(plan: &Plan, collected: Result<Collected, Stopped>) -> Judged {
     match collected {
-        Ok(collected) => judge(subject, plan, &collected),
+        Ok(collected) => plan.claims.judge(&collected.tallies),
         Err(Stopped::Subject(why)) => Judged::broken(why),
         Err(Stopped::Cancelled) => Judged::default(),
     }

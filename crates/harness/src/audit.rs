@@ -1,67 +1,11 @@
 //! Counts and checks every look-up of a subject, before anything that the subject may do with it.
 
+use crate::experiment::Told;
 use freepath_draws::random::Spent;
 use freepath_draws::simd;
 use freepath_estimators::{Cells, Extinction, Majorants};
-use freepath_statistics::tally::NullTally;
-use std::cell::{Cell, RefCell};
-use std::fmt;
-
-/// What was recorded of some look-ups.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Audit {
-    /// All look-ups.
-    pub lookups: u64,
-    /// At t outside [0, length], or NaN.
-    pub outside: u64,
-    /// With mu above the majorant beyond rounding, negative, or NaN.
-    pub above: u64,
-    /// The worst of those.
-    pub worst: Option<Excess>,
-}
-
-/// A look-up whose mu is not within its bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Excess {
-    /// Where.
-    pub t: f64,
-    /// What was found there.
-    pub mu: f64,
-    /// The majorant there.
-    pub bound: f64,
-}
-
-impl Excess {
-    /// The one of the larger excess, NaN being the largest, and of equal ones the first along the ray: in any order of merging
-    /// the same.
-    fn worse(self, other: Self) -> Self {
-        let excess = |of: Self| (of.mu - of.bound).abs();
-        let order = excess(self).total_cmp(&excess(other)).then(other.t.total_cmp(&self.t));
-        if order.is_lt() { other } else { self }
-    }
-}
-
-impl fmt::Display for Excess {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "at t = {}, where mu is {} and the majorant {}", self.t, self.mu, self.bound)
-    }
-}
-
-impl Audit {
-    /// Both together.
-    #[must_use]
-    pub fn plus(self, other: Self) -> Self {
-        Self {
-            lookups: self.lookups + other.lookups,
-            outside: self.outside + other.outside,
-            above: self.above + other.above,
-            worst: match (self.worst, other.worst) {
-                (Some(one), Some(two)) => Some(one.worse(two)),
-                (one, two) => one.or(two),
-            },
-        }
-    }
-}
+use freepath_statistics::tally::{Audit, Excess};
+use std::cell::Cell;
 
 /// Look-ups whose bounds are asked for at a time.
 const TILE: usize = 256;
@@ -80,7 +24,7 @@ pub struct Audited<'a> {
     record: Cell<Audit>,
     worst: Cell<Option<Excess>>,
     /// Told of every look-up, if anyone is.
-    watch: Option<&'a RefCell<NullTally>>,
+    watch: Option<&'a dyn Told>,
 }
 
 impl<'a> Audited<'a> {
@@ -99,7 +43,7 @@ impl<'a> Audited<'a> {
 
     /// The same, and `watch` is told of every look-up.
     #[must_use]
-    pub fn watched(self, watch: Option<&'a RefCell<NullTally>>) -> Self {
+    pub fn watched(self, watch: Option<&'a dyn Told>) -> Self {
         Self { watch, ..self }
     }
 
@@ -148,11 +92,11 @@ impl<'a> Audited<'a> {
     #[inline(always)]
     fn tell(&self, t: &[f64], mu: &[f64]) {
         let Some(watch) = self.watch else { return };
-        let (mut watch, mut bounds) = (watch.borrow_mut(), [0.0; TILE]);
+        let mut bounds = [0.0; TILE];
         for (t, mu) in t.chunks(TILE).zip(mu.chunks(TILE)) {
             let bounds = &mut bounds[..t.len()];
             self.medium.majorants().mu_bar_tile(t, bounds);
-            watch.look_ups(t, mu, bounds);
+            watch.tell(t, mu, bounds);
         }
     }
 
@@ -208,7 +152,7 @@ impl Extinction for Audited<'_> {
         let mu = self.medium.mu(t);
         let bound = self.medium.majorants().mu_bar_at(t);
         if let Some(watch) = self.watch {
-            watch.borrow_mut().look_ups(&[t], &[mu], &[bound]);
+            watch.tell(&[t], &[mu], &[bound]);
         }
         let over = above(mu, bound * self.rounding);
         if over > 0 {

@@ -1,38 +1,43 @@
 //! Case files: what to verify, as data.
 
 use crate::agree::Agreement;
-use crate::diagnose::{MAX_BYTES, Source};
-use crate::fault::Expectation;
+use crate::diagnose::{Diagnosis, MAX_BYTES, Source};
+use crate::kind::KINDS;
 use freepath_estimators::MajorantChoice;
 use freepath_estimators::medium::AnyMedium;
+use freepath_statistics::claim::BiasBound;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-mod agree;
-mod brought;
+mod any_named;
 mod check;
 mod command;
 mod error;
+mod external;
 mod faults;
-mod fit;
 mod name;
+mod named;
 mod origin;
 mod prepare;
+mod registry;
 mod samples;
-mod subject;
 mod surroundings;
 
-pub use crate::claim::{BiasBound, Claim};
-pub use brought::{Brought, ListError, Lists};
+pub use crate::kind::SubjectSpec;
+pub(crate) use any_named::AnyNamed;
 pub use command::{Command, Commands};
 pub use error::CaseError;
+pub use external::External;
 pub use faults::Faults;
+pub use named::Named;
+pub(crate) use named::definition;
 pub use origin::Origin;
-pub use prepare::{Limits, Prepared, PreparedSubject, World};
-pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
-pub use subject::{ChromaticSubject, ClosedForm, Exact, FreePathSubject, TransmittanceSubject};
+pub use prepare::{Limits, Prepared, PreparedSubject};
+pub(crate) use registry::closer;
+pub use registry::{ListError, Lists};
+pub use samples::{ChromaticSamples, FreePathSamples, SampleArguments, SamplesSpec, TransmittanceSamples};
 
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;
@@ -57,7 +62,7 @@ pub struct Case {
     pub rays: Vec<Ray>,
     /// What is tested.
     #[schemars(length(min = 1))]
-    pub subjects: Vec<Subject>,
+    pub subjects: Vec<SubjectSpec>,
     /// Draws of stage 1 (default 1,000,000), rounded up to whole blocks of 16,384.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(range(min = 1, max = MOST_DRAWS))]
@@ -90,62 +95,6 @@ pub struct Ray {
     pub origin: [f64; 3],
     /// Where it goes; of any length.
     pub direction: [f64; 3],
-}
-
-/// One subject: exactly one of `free_path`, `transmittance` and `chromatic`, and what it overrides of the case.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["free_path"]}, {"required": ["transmittance"]}, {"required": ["chromatic"]}]))]
-pub struct Subject {
-    /// A free-path sampler.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub free_path: Option<FreePathSubject>,
-    /// A transmittance estimator.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub transmittance: Option<TransmittanceSubject>,
-    /// A chromatic sampler.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub chromatic: Option<ChromaticSubject>,
-    /// Its name in the results, unique in the case.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub name: Option<String>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub majorant: Option<MajorantChoice>,
-    /// Instead of the case's; of samples, the rows of both stages, from the first on (default: all).
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    #[schemars(range(min = 1, max = MOST_DRAWS))]
-    pub draws: Option<u64>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    #[schemars(range(min = 1, max = MOST_DRAWS))]
-    pub budget: Option<u64>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub bias_bound: Option<BiasBound>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    #[schemars(range(min = 0, max = 1))]
-    pub tolerance: Option<f64>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    #[schemars(range(min = 8, max = 53))]
-    pub resolution_bits: Option<u32>,
-    /// The verdict that is as it should be (default: computed from the claims).
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub expect: Option<Expectation>,
-    /// Planted faults, laid in this order.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub fault: Option<Faults>,
-    /// This setting hides the planted fault from the plain statistical tests; `expect` says what still sees it, if anything.
-    #[serde(rename = "innocent", skip_serializing_if = "std::ops::Not::not", default)]
-    pub masks_fault: bool,
-    /// Claims withdrawn.
-    #[serde(skip_serializing_if = "Vec::is_empty", default)]
-    pub without: Vec<Claim>,
-    /// Instead of the case's.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub agree: Option<Vec<Agreement>>,
 }
 
 /// The JSON schema of a case (draft 2020-12).
@@ -184,7 +133,13 @@ impl CaseFile {
     /// If the text does not say a case.
     pub fn parse(path: &Path, text: impl Into<String>) -> Result<Self, CaseError> {
         let source = Source::new(path.display().to_string(), text)?;
-        let case = source.read().map_err(|found| brought::located(&source, found))?;
+        let case = source.read().map_err(|found| located(&source, found))?;
         Ok(Self { path: path.to_path_buf(), source, case, checked: None })
     }
+}
+
+/// `found`, but shown at its own place if it is about the parameters of a sampler of another crate.
+fn located(source: &Source, found: Diagnosis) -> Diagnosis {
+    let kind = found.path().rsplit_once('.').and_then(|(_, last)| KINDS.iter().find(|kind| kind.name == last));
+    kind.and_then(|kind| (kind.closer)(source, found.path())).unwrap_or(found)
 }

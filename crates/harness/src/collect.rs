@@ -1,29 +1,23 @@
 //! Runs blocks of draws on all threads and folds what they leave.
 
-use crate::plan::Plan;
-use crate::subject::{Subject, Work};
-use freepath_draws::Key;
+use crate::experiment::{Beside, Plan};
+use crate::sample::{Unfinished, sample_from};
+use crate::subject::Subject;
+use freepath_draws::{Key, Streams};
+use freepath_statistics::fold::{Folds, Tallies};
+use freepath_statistics::{Block, Scratch};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-mod collected;
-mod counts;
-mod joint;
-mod samples;
+mod external;
 mod worker;
 
-pub use collected::Collected;
-pub use counts::Counts;
-pub use joint::Joint;
-pub(crate) use samples::rehearse;
-use worker::Workers;
+pub(crate) use external::rehearse;
+use worker::{BlockParts, Workers};
 
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
-
-/// Blocks at the start of a range in which all ties are counted and all look-ups placed.
-const FIRST_BLOCKS: u64 = 4;
 
 /// Why a range of blocks was not finished.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,40 +36,111 @@ pub struct Watch<'a> {
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// The draws of `blocks`, folded: the same for any number of threads.
+impl Watch<'_> {
+    fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+/// Everything that was folded from a range of blocks.
+#[derive(Clone)]
+pub struct Collected {
+    /// What the folds have tallied.
+    pub tallies: Tallies,
+    /// Seconds of sampling, summed over threads.
+    pub seconds: f64,
+}
+
+impl Collected {
+    fn new(folds: &Folds) -> Self {
+        Self { tallies: folds.tallies(), seconds: 0.0 }
+    }
+
+    /// Takes in the next block, in block order.
+    fn fold(&mut self, folds: &Folds, block: &BlockParts) {
+        folds.fold(&mut self.tallies, &block.parts);
+        self.tallies.draws += block.rows;
+        self.seconds += block.seconds;
+    }
+
+    /// Takes in later draws.
+    pub fn extend(&mut self, folds: &Folds, later: &Self) {
+        folds.extend(&mut self.tallies, &later.tallies);
+        self.seconds += later.seconds;
+    }
+}
+
+/// The draws of a stage, and those that its claims need beside them.
 ///
 /// # Errors
-/// If the subject fails or the run is cancelled; of several failures, that of the first block.
-pub fn collect(
+/// If the subject fails or the run is cancelled.
+pub fn observe(
     subject: &Subject,
     plan: &Plan,
     seed: u64,
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
-    if let Work::Samples(_, source) = subject.work {
-        return samples::collect(source, subject, plan, seed, blocks, watch);
+    let key = Key { seed, subject: subject.key, block: blocks.start };
+    let beside = plan.beside.iter().map(|beside| one_block(subject, beside, key).map_err(Stopped::Subject));
+    let beside = if blocks.is_empty() { Vec::new() } else { beside.collect::<Result<_, _>>()? };
+    let mut collected = collect(subject, &plan.claims.folds, seed, blocks, watch)?;
+    collected.tallies.beside = beside;
+    Ok(collected)
+}
+
+/// One block of draws beside the subject's own, on streams of their own.
+fn one_block(subject: &Subject, beside: &Beside, key: Key) -> Result<Tallies, String> {
+    let key = Key { subject: key.subject ^ beside.salt, ..key };
+    let there = Subject { experiment: &*beside.experiment, ..subject.clone() };
+    let mut draws = beside.experiment.columns(subject.rows);
+    let record = sample_from(&there, Streams::new(key), &mut draws).map_err(Unfinished::words)?;
+    let block = Block { draws: &draws, number: key.block, nth: 0, audit: Some(&record.audit) };
+    let (folds, mut counts) = (&beside.folds, beside.folds.empty());
+    let parts = folds.observe(&block, &mut Scratch::default(), &mut counts);
+    let mut tallies = folds.tallies();
+    folds.fold(&mut tallies, &parts);
+    folds.count(&mut tallies, &counts);
+    tallies.draws = subject.rows as u64;
+    Ok(tallies)
+}
+
+/// The draws of `blocks`, folded: the same for any number of threads.
+///
+/// # Errors
+/// If the subject fails or the run is cancelled; of several failures, that of the first block.
+pub fn collect(
+    subject: &Subject,
+    folds: &Folds,
+    seed: u64,
+    blocks: Range<u64>,
+    watch: &Watch,
+) -> Result<Collected, Stopped> {
+    if let Some(source) = subject.experiment.external() {
+        return external::collect(source, subject, folds, seed, blocks, watch);
     }
-    let (workers, mut collected, mut start) = (Workers::new(), Collected::new(plan), blocks.start);
-    let cancelled = || watch.cancelled.load(Ordering::Relaxed);
+    let (workers, mut collected, mut start) = (Workers::new(), Collected::new(folds), blocks.start);
     let run = |block| {
         let key = Key { seed, subject: subject.key, block };
-        if cancelled() { Err(String::new()) } else { workers.run(subject, plan, key, block - blocks.start) }
+        let nth = block - blocks.start;
+        if watch.is_cancelled() {
+            return Err(String::new());
+        }
+        workers.with(subject, folds, |worker| worker.run(subject, folds, key, nth))
     };
     while start < blocks.end {
         let after = start + WAVE;
         let end = if after < blocks.end { after } else { blocks.end };
         let wave: Vec<_> = (start..end).into_par_iter().map(run).collect();
-        if cancelled() {
+        if watch.is_cancelled() {
             return Err(Stopped::Cancelled);
         }
         for block in wave {
-            collected.fold(&block.map_err(Stopped::Subject)?);
+            collected.fold(folds, &block.map_err(Stopped::Subject)?);
         }
         (watch.progress)((end - start) * subject.rows as u64);
         start = end;
     }
-    collected.counts = workers.counts().unwrap_or_default();
-    collected.fit_tails();
+    workers.count(folds, &mut collected.tallies);
     Ok(collected)
 }

@@ -19,7 +19,7 @@ mod uniforms;
 mod walk;
 mod walk_progress;
 
-pub use block_context::BlockContext;
+pub use block_context::{BlockContext, DrawnIn, SampledChannels};
 pub use faulty_medium::FaultyMedium;
 pub use faulty_rng::FaultyRng;
 pub use injection::{Injection, Layer};

@@ -17,8 +17,8 @@
 //!
 //! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
 
-use crate::plan::Plan;
-use crate::subject::{Scene, Subject};
+use crate::experiment::Probe;
+use crate::subject::Subject;
 use freepath_statistics::Fact;
 
 mod composition;
@@ -32,9 +32,14 @@ mod roulette;
 mod rows;
 mod zero_variance;
 
+pub(crate) use composition::composition;
+pub(crate) use counts::counts;
+pub(crate) use density::density;
 pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
 pub use roulette::roulette;
+pub(crate) use roulette::roulette_of;
+pub(crate) use zero_variance::zero_variance;
 
 /// The checks with what they look at.
 pub(crate) const CHECKS: &[(&str, &str)] = &[
@@ -49,19 +54,13 @@ pub(crate) const CHECKS: &[(&str, &str)] = &[
     density::CHECK,
 ];
 
-/// Every identity that `subject` violates.
+/// Every identity that `subject` violates: those of its scene, those that hold for all, those of its kind.
 #[must_use]
-pub fn facts(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
-    let mut facts = Vec::new();
-    if let Scene::Grey { truth, .. } = subject.scene {
-        facts.extend(medium(truth));
-    }
-    facts.extend(reproducible::facts(subject, seed));
-    facts.extend(history::fact(subject, seed));
-    facts.extend(composition::fact(subject));
-    facts.extend(roulette::of_subject(subject, plan));
-    facts.extend(zero_variance::fact(subject, plan, seed));
-    facts.extend(counts::fact(subject, plan, seed));
-    facts.extend(density::fact(subject));
+pub fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
+    let probe = Probe { subject, seed };
+    let mut facts = subject.experiment.scene_facts();
+    facts.extend(reproducible::fact(&probe));
+    facts.extend(history::fact(&probe));
+    facts.extend(subject.experiment.facts(&probe));
     facts
 }

@@ -16,12 +16,11 @@
 //! Cost: points times scrambles walks, one by one.
 
 use crate::blocks::NETS;
-use crate::plan::Plan;
-use crate::sample::{Unfinished, columns, sample_from};
-use crate::subject::{Route, Scene, Subject, Work};
+use crate::experiment::Functional;
+use crate::sample::{Unfinished, sample_from};
+use crate::subject::{Route, Subject};
 use freepath_draws::random::Script;
-use freepath_draws::{Draws, Key, Streams};
-use freepath_estimators::Medium;
+use freepath_draws::{Key, Streams};
 use freepath_statistics::special::student_t_two_sided;
 use freepath_statistics::tally::PowerSums;
 use rayon::prelude::*;
@@ -67,43 +66,28 @@ pub struct Sight {
 /// # Errors
 /// If the subject has no one mean, or fails, in words.
 pub fn look(subject: &Subject, focus: Focus) -> Result<Sight, String> {
-    let Scene::Grey { truth, .. } = subject.scene else {
-        return Err("channels have no one mean: the microscope looks at free paths and transmittances".into());
-    };
     if !focus.points.is_power_of_two() || focus.points > MOST_POINTS || focus.scrambles < 2 {
         return Err(format!("points must be a power of 2 up to {MOST_POINTS}, and scrambles at least 2"));
     }
-    if let Work::Samples(..) = subject.work {
-        return Err(
-            "samples are made elsewhere: the microscope looks at what takes its random numbers from us".into()
-        );
-    }
-    let plan = Plan::of(subject);
+    let functional = subject.experiment.functional(&subject.terms())?;
     let subject = Subject { route: Route::Scalar, ..subject.clone() };
-    let scramble = |r| scramble(&subject, &plan, truth, focus, r);
+    let scramble = |r| scramble(&subject, &functional, focus, r);
     let scrambles: Vec<PowerSums> =
         (0..focus.scrambles).into_par_iter().map(scramble).collect::<Result<_, _>>()?;
-    Ok(sight(&subject, &plan, truth, &scrambles))
+    Ok(sight(&subject, &functional, &scrambles))
 }
 
 /// The draws of one scramble.
-fn scramble(
-    subject: &Subject,
-    plan: &Plan,
-    truth: &dyn Medium,
-    focus: Focus,
-    r: u32,
-) -> Result<PowerSums, String> {
+fn scramble(subject: &Subject, functional: &Functional, focus: Focus, r: u32) -> Result<PowerSums, String> {
     let first = NETS + (u64::from(r) << 20);
     let key = |i: u32| Key { seed: focus.seed, subject: subject.key, block: first + u64::from(i) };
-    let (net, mut draws) = (Net::new(key(MOST_POINTS)), columns(subject, 1));
-    let mut sums = PowerSums::new(expected(plan, truth));
+    let (net, mut draws) = (Net::new(key(MOST_POINTS)), subject.experiment.columns(1));
+    let mut sums = PowerSums::new(functional.expected);
     let mut values = Vec::with_capacity(256);
     for i in 0..focus.points {
         let script = Script { prefix: net.words(i, &mut key(i).lane(1)), repeat: false };
-        sample_from(subject, Streams::new(key(i)).scripted(script), &mut draws)
-            .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-        values.push(value(subject.work, &draws));
+        sample_from(subject, Streams::new(key(i)).scripted(script), &mut draws).map_err(Unfinished::words)?;
+        values.push((functional.value)(&draws));
         if values.len() == 256 || i + 1 == focus.points {
             sums.merge(&PowerSums::of(sums.center, &values));
             values.clear();
@@ -112,28 +96,13 @@ fn scramble(
     Ok(sums)
 }
 
-/// What the mean is taken of.
-fn value(work: Work, draws: &Draws) -> f64 {
-    match work {
-        Work::Exact | Work::FreePath(_) if draws.t[0].is_nan() => f64::NAN,
-        Work::Exact | Work::FreePath(_) => f64::from(u8::from(draws.t[0] == f64::INFINITY)),
-        _ => draws.weight[0],
-    }
-}
-
-fn expected(plan: &Plan, truth: &dyn Medium) -> f64 {
-    plan.mean.as_ref().map_or_else(|| libm::exp(-truth.tau(truth.length())), |mean| mean.truth.expected)
-}
-
-fn sight(subject: &Subject, plan: &Plan, truth: &dyn Medium, scrambles: &[PowerSums]) -> Sight {
-    let (expected, r) = (expected(plan, truth), scrambles.len() as f64);
-    let of_law = plan.law.as_ref().and_then(|law| Some(law.own.as_ref()?.atom() - law.truth.atom()));
-    let declared = plan.mean.as_ref().map_or(0.0, crate::plan::MeanPlan::design_bias) + of_law.unwrap_or(0.0);
+fn sight(subject: &Subject, functional: &Functional, scrambles: &[PowerSums]) -> Sight {
+    let (Functional { expected, declared, .. }, r) = (*functional, scrambles.len() as f64);
     let biases: Vec<f64> = scrambles.iter().map(PowerSums::bias).collect();
     let bias = biases.iter().sum::<f64>() / r;
     let variance = biases.iter().map(|b| (b - bias) * (b - bias)).sum::<f64>() / (r - 1.0);
     let random = scrambles.iter().map(|sums| sums.variance() / sums.n as f64).sum::<f64>() / r;
-    let slack = subject.tolerance + expected * truth.tau_error() + 1e-12 * expected;
+    let slack = subject.tolerance + expected * functional.relative_error + 1e-12 * expected;
     let half = student_t_quantile(r - 1.0) * (variance / r).sqrt() + slack;
     Sight {
         expected,

@@ -1,14 +1,14 @@
 //! A run: every subject through stage 1, the suspects through stage 2, one decision over all, results.
 
 use crate::case::{Origin, Prepared, PreparedSubject};
-use crate::collect::{Collected, Stopped, Watch, collect, rehearse};
-use crate::judge::judge;
+use crate::collect::{Collected, Stopped, Watch, observe, rehearse};
+use crate::experiment::Plan;
 use crate::noiseless;
-use crate::plan::Plan;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, Real, Results, SCHEMA_VERSION, SubjectTiming, Verdict};
+use freepath_statistics::Judged;
+use freepath_statistics::REPORTING_LEVEL;
 use freepath_statistics::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
-use freepath_statistics::{Judged, REPORTING_LEVEL};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
@@ -17,9 +17,7 @@ mod agree;
 mod efficiency;
 mod expect;
 mod grow;
-mod life_table;
 mod media;
-mod series;
 mod subjects;
 
 pub use expect::expected;
@@ -63,8 +61,8 @@ pub struct Cancelled;
 pub(crate) struct Trial<'a> {
     case: &'a Prepared,
     pub(crate) prepared: &'a PreparedSubject,
-    subject: Subject<'a>,
-    pub(crate) plan: Plan,
+    pub(crate) subject: Subject<'a>,
+    pub(crate) plan: Plan<'a>,
     pub(crate) first: Stage1,
     pub(crate) second: Option<(Judged, u64)>,
     seconds: f64,
@@ -73,7 +71,7 @@ pub(crate) struct Trial<'a> {
 impl Trial<'_> {
     /// Whether there is a second stage: for a suspect, and where its draws are made already.
     fn goes_on(&self) -> bool {
-        let read = self.first.collected.is_some() && self.subject.work.finished();
+        let read = self.first.collected.is_some() && self.subject.finished();
         read || suspect(&self.first.judged)
     }
 }
@@ -94,7 +92,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     plan_stage_one(cases, options);
     for case in cases {
         for prepared in &case.subjects {
-            let subject = prepared.runnable(&case.world, &case.case);
+            let subject = prepared.runnable(&case.case);
             trials.push(stage_one(case, prepared, subject, options)?);
         }
     }
@@ -113,14 +111,14 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
     for prepared in cases.iter().flat_map(|case| &case.subjects) {
-        let file = prepared.source.as_ref().and_then(Origin::file);
+        let file = prepared.source.as_deref().and_then(Origin::file);
         let draws = if file.is_some() { prepared.draws } else { whole(prepared.draws) };
         (options.progress)(Progress::Planned(prepared.settings() * draws), &prepared.name);
     }
 }
 
 fn plan_stage_two(trial: &Trial, options: &Options) {
-    let file = trial.prepared.source.as_ref().and_then(Origin::file);
+    let file = trial.prepared.source.as_deref().and_then(Origin::file);
     let left = file.map(|file| file.rows() - file.first_rows());
     let draws = left.unwrap_or(2 * Subject::blocks(trial.subject.draws) * trial.subject.rows as u64);
     (options.progress)(Progress::Planned(trial.prepared.settings() * draws), &trial.prepared.name);
@@ -134,7 +132,7 @@ pub(crate) fn tried<'a>(
     draws: Option<u64>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let mut subject = prepared.runnable(&case.world, &case.case);
+    let mut subject = prepared.runnable(&case.case);
     subject.draws = draws.unwrap_or(subject.draws);
     if draws.is_some_and(|draws| draws < BLOCK as u64) {
         subject.rows = subject.draws as usize;
@@ -160,14 +158,14 @@ fn stage_one<'a>(
     subject: Subject<'a>,
     options: &Options,
 ) -> Result<Trial<'a>, Cancelled> {
-    let mut plan = Plan::of(&subject);
+    let plan = subject.plan();
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     tell(0);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
-    let (mut first, seconds) = first_stage(&subject, &mut plan, options, &watch, &prepared.name)?;
+    let (mut first, seconds) = first_stage(&subject, &plan, options, &watch, &prepared.name)?;
     if let Some(own) = &first.collected {
         let settings = Settings { prepared, subject: &subject, plan: &plan, seed: options.seed };
-        settings.agree(own, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
+        settings.agree(&own.tallies, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
     }
     Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
 }
@@ -175,7 +173,7 @@ fn stage_one<'a>(
 /// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
 fn first_stage(
     subject: &Subject,
-    plan: &mut Plan,
+    plan: &Plan,
     options: &Options,
     watch: &Watch,
     name: &str,
@@ -183,7 +181,7 @@ fn first_stage(
     let blocks = Subject::blocks(subject.draws);
     let rehearsed = rehearse(subject, options.seed, watch);
     let drawn = rehearsed.and_then(|facts| {
-        collect(subject, plan, options.seed, 0..blocks, watch).map(|collected| (collected, facts))
+        observe(subject, plan, options.seed, 0..blocks, watch).map(|collected| (collected, facts))
     });
     let (collected, facts) = match drawn {
         Ok(drawn) => drawn,
@@ -193,7 +191,7 @@ fn first_stage(
             return Ok((Stage1 { judged, collected: None, grown: None }, 0.0));
         }
     };
-    let mut judged = judge(subject, plan, &collected);
+    let mut judged = plan.claims.judge(&collected.tallies);
     judged.facts.extend(facts);
     judged.facts.extend(noiseless::facts(subject, plan, options.seed));
     let growth = grow::Growth {
@@ -213,7 +211,7 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let tell = |draws| (options.progress)(Progress::Done(draws), &prepared.name);
     let watch = Watch { cancelled: options.cancelled, progress: &tell };
     let blocks = Subject::blocks(subject.draws);
-    let collected = match collect(subject, plan, options.seed, blocks..3 * blocks, &watch) {
+    let collected = match observe(subject, plan, options.seed, blocks..3 * blocks, &watch) {
         Ok(collected) => collected,
         Err(Stopped::Cancelled) => return Err(Cancelled),
         Err(Stopped::Subject(why)) => {
@@ -221,13 +219,13 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
             return Ok(());
         }
     };
-    let (mut judged, mut draws) = (judge(subject, plan, &collected), collected.draws);
+    let (mut judged, mut draws) = (plan.claims.judge(&collected.tallies), collected.tallies.draws);
     let settings = Settings { prepared, subject, plan, seed: options.seed };
-    settings.agree(&collected, &(blocks..3 * blocks), &watch, &mut judged)?;
+    settings.agree(&collected.tallies, &(blocks..3 * blocks), &watch, &mut judged)?;
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
-        let most = if subject.work.finished() { 0 } else { 2 * grown.draws };
+        let most = if subject.finished() { 0 } else { 2 * grown.draws };
         draws = growth.confirm(subject, plan, collected, most, &mut judged)?;
     }
     *second = Some((judged, draws));
@@ -251,7 +249,7 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
         id: result.id.clone(),
         seconds: Real(trial.seconds),
         draws: result.draws,
-        log: trial.prepared.source.as_ref().map(Origin::log).unwrap_or_default(),
+        log: trial.prepared.source.as_deref().map(Origin::log).unwrap_or_default(),
     };
     let timings = trials.iter().zip(&results).map(timing).collect();
     let rankings = efficiency::rankings(trials, &results);
@@ -276,9 +274,11 @@ fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options
 #[must_use]
 pub fn exit_code(results: &Results) -> u8 {
     let surprises: Vec<_> = results.results.iter().filter(|result| !result.as_expected).collect();
-    match () {
-        () if surprises.is_empty() => 0,
-        () if surprises.iter().all(|result| result.verdict == Verdict::Inconclusive) => 4,
-        () => 1,
+    if surprises.is_empty() {
+        0
+    } else if surprises.iter().all(|result| result.verdict == Verdict::Inconclusive) {
+        4
+    } else {
+        1
     }
 }

@@ -18,6 +18,17 @@ pub enum SampleKind {
     Chromatic,
 }
 
+impl SampleKind {
+    /// Whether each distance has a weight.
+    #[must_use]
+    pub fn is_weighted(self) -> bool {
+        match self {
+            Self::WeightedFreePath => true,
+            Self::FreePath | Self::Transmittance | Self::Chromatic => false,
+        }
+    }
+}
+
 /// The rows that a stage asks for.
 #[derive(Clone, Debug)]
 pub struct Wanted<'a> {

@@ -1,44 +1,47 @@
-//! What makes the draws, and in which medium.
+//! Scenes: where the truth of a case lives, along one ray if it has several. A kind takes the scene that it needs by its type.
 
-use crate::samples::{SampleKind, SampleSource};
+use freepath_estimators::Medium;
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
+use std::any::Any;
+use std::sync::Arc;
 
-/// What makes the draws.
-#[derive(Clone, Copy)]
-pub enum Work<'a> {
-    /// Inversion of the optical depth, from the truth.
-    Exact,
-    /// A free-path sampler.
-    FreePath(&'a dyn FreePathSampler),
-    /// exp(-tau), from the truth.
-    ClosedForm,
-    /// A transmittance estimator.
-    Transmittance(&'a dyn TransmittanceEstimator),
-    /// A chromatic sampler.
-    Chromatic(&'a dyn ChromaticSampler),
-    /// Draws that are made elsewhere.
-    Samples(SampleKind, &'a dyn SampleSource),
+/// The truth of a case.
+pub trait Scene: Any + Send + Sync {
+    /// The extinctions along the ray; none of a scene without a medium.
+    fn views(&self) -> Vec<View<'_>>;
 }
 
-impl Work<'_> {
-    /// Whether every draw is made already: then the second stage is read, whatever the first gives.
+impl dyn Scene {
+    /// The scene, if it is of this type.
     #[must_use]
-    pub fn finished(&self) -> bool {
-        matches!(self, Self::Samples(_, source) if source.finished())
+    pub fn get<T: Scene>(&self) -> Option<&T> {
+        (self as &dyn Any).downcast_ref()
     }
 }
 
-/// Where the draws are made.
-#[derive(Clone, Copy)]
-pub enum Scene<'a> {
-    /// One extinction.
-    Grey {
-        /// The medium under the majorants that it should have.
-        truth: &'a dyn Medium,
-        /// The same under the majorants that the subject sees.
-        seen: &'a dyn Medium,
-    },
-    /// Homogeneous channels.
-    Chromatic(&'a ChromaticMedium),
+/// One extinction of a scene.
+pub struct View<'a> {
+    /// What comes before its numbers where there are several, such as `channel 0: `.
+    pub label: String,
+    /// The extinction.
+    pub medium: &'a dyn Medium,
+}
+
+/// One extinction, under the majorants of the case.
+pub struct MediumScene(pub Arc<dyn Medium>);
+
+impl Scene for MediumScene {
+    fn views(&self) -> Vec<View<'_>> {
+        vec![View { label: String::new(), medium: &*self.0 }]
+    }
+}
+
+/// Homogeneous channels.
+pub struct ChannelScene(pub ChromaticMedium);
+
+impl Scene for ChannelScene {
+    fn views(&self) -> Vec<View<'_>> {
+        let media = self.0.media().iter().enumerate();
+        media.map(|(i, (channel, _))| View { label: format!("channel {i}: "), medium: channel }).collect()
+    }
 }

@@ -18,15 +18,16 @@
 //! Cost: some 3,000 draws for each method, and at most 10^6 look-ups.
 
 use crate::blocks::SCRIPTS;
-use crate::plan::Plan;
-use crate::sample::{Unfinished, columns, sample_from};
-use crate::subject::{Route, Scene, Subject, Work};
+use crate::experiment::Plan;
+use crate::sample::{Unfinished, sample_from};
+use crate::subject::{Route, Subject};
 use freepath_draws::random::Script;
 use freepath_draws::{Draws, Key, Streams};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::claim::Finding;
+use freepath_statistics::tally::Audit;
 
-mod inspect;
 mod script;
 mod thick;
 
@@ -45,33 +46,24 @@ const MOST_LOOKUPS: u64 = 1_000_000;
 /// What the ends of [0, 1) bring out in `subject`: at most one fact for each method and reason.
 #[must_use]
 pub fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
-    let routes: &[Route] = if subject.one_by_one() || !has_methods(subject) {
-        &[Route::Scalar]
-    } else {
-        &[Route::Block, Route::Scalar]
-    };
+    let routes = if subject.one_by_one() { &[Route::Scalar] } else { subject.experiment.routes() };
     routes.iter().flat_map(|&route| by(&Subject { route, ..subject.clone() }, plan, seed)).collect()
-}
-
-/// The harness's own sources have one method.
-fn has_methods(subject: &Subject) -> bool {
-    !matches!(subject.work, Work::Exact | Work::ClosedForm)
 }
 
 /// Every script through one method.
 fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
     let rows = rows(subject.route);
-    let (mut draws, mut found, mut lookups) = (columns(subject, rows), Findings::default(), 0);
+    let (mut draws, mut found, mut lookups) = (subject.experiment.columns(rows), Findings::default(), 0);
     for (i, scripted) in Scripted::all(Key { seed, subject: subject.key, block: SCRIPTS }).enumerate() {
         let key = Key { seed, subject: subject.key, block: SCRIPTS + i as u64 };
         match drive(subject, key, &scripted.script, &mut draws) {
-            Ok(outside) => {
-                lookups += outside.0;
-                found.add(&scripted, inspect::draws(subject.work, plan, length(subject), &draws));
-                found.add(&scripted, inspect::lookups(outside.1));
+            Ok(audit) => {
+                lookups += audit.lookups;
+                found.add(&scripted, plan.claims.look(&draws));
+                found.add(&scripted, outside(audit.outside));
             }
             Err(Unfinished::Spent(why) | Unfinished::Broken(why)) => {
-                found.add(&scripted, Some((Reason::SubjectError, why)));
+                found.add(&scripted, Some(Finding { reason: Reason::SubjectError, what: why }));
                 break; // one hang is enough
             }
         }
@@ -79,7 +71,7 @@ fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
             break;
         }
     }
-    found.extend(thick::escapes(subject, plan, seed));
+    found.extend(thick::escapes(subject, seed));
     found.facts(subject.route)
 }
 
@@ -88,44 +80,48 @@ fn rows(route: Route) -> usize {
     if route == Route::Block { 40 } else { 8 }
 }
 
-fn length(subject: &Subject) -> f64 {
-    match subject.scene {
-        Scene::Grey { truth, .. } => truth.length(),
-        Scene::Chromatic(medium) => medium.length(),
-    }
+/// Look-ups outside the ray.
+fn outside(lookups: u64) -> Option<Finding> {
+    let what = || format!("{lookups} look-ups lie outside the ray");
+    (lookups > 0).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
 }
 
-/// Draws behind `script`: look-ups, and those outside the ray.
-fn drive(subject: &Subject, key: Key, script: &Script, draws: &mut Draws) -> Result<(u64, u64), Unfinished> {
-    let record = sample_from(subject, Streams::new(key).scripted(script.clone()), draws)?;
-    Ok((record.audit.lookups, record.audit.outside))
+/// Draws behind `script`: their look-ups.
+fn drive(subject: &Subject, key: Key, script: &Script, draws: &mut Draws) -> Result<Audit, Unfinished> {
+    sample_from(subject, Streams::new(key).scripted(script.clone()), draws).map(|record| record.audit)
 }
 
 /// The first finding of each reason, and how many scripts gave it.
 #[derive(Default)]
-struct Findings(Vec<(Reason, String, usize)>);
+struct Findings(Vec<Found>);
+
+/// A finding, and how many scripts gave one of its reason.
+struct Found {
+    reason: Reason,
+    what: String,
+    scripts: usize,
+}
 
 impl Findings {
-    fn add(&mut self, scripted: &Scripted, finding: Option<(Reason, String)>) {
-        let Some((reason, what)) = finding else { return };
-        match self.0.iter_mut().find(|found| found.0 == reason) {
-            Some(found) => found.2 += 1,
-            None => self.0.push((reason, format!("{}: {what}", scripted.name), 1)),
+    fn add(&mut self, scripted: &Scripted, finding: Option<Finding>) {
+        let Some(Finding { reason, what }) = finding else { return };
+        self.note(Found { reason, what: format!("{}: {what}", scripted.name), scripts: 1 });
+    }
+
+    fn note(&mut self, more: Found) {
+        match self.0.iter_mut().find(|found| found.reason == more.reason) {
+            Some(found) => found.scripts += more.scripts,
+            None => self.0.push(more),
         }
     }
 
     fn extend(&mut self, more: Findings) {
-        for (reason, what, scripts) in more.0 {
-            match self.0.iter_mut().find(|found| found.0 == reason) {
-                Some(found) => found.2 += scripts,
-                None => self.0.push((reason, what, scripts)),
-            }
-        }
+        more.0.into_iter().for_each(|found| self.note(found));
     }
 
     fn facts(self, route: Route) -> Vec<Fact> {
         let method = if route == Route::Block { "in blocks" } else { "one by one" };
-        let fact = |(reason, what, scripts): (Reason, String, usize)| {
+        let fact = |Found { reason, what, scripts }| {
             let more =
                 if scripts > 1 { format!(" (and under {} more scripts)", scripts - 1) } else { String::new() };
             Fact::new(CHECK, reason, format!("drawn {method} with {what}{more}"))

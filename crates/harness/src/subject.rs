@@ -1,11 +1,11 @@
-//! A subject ready to run: what is under test, in which medium, under which faults.
+//! A subject ready to run: an experiment, under which faults, and how far it is to be judged.
 
-use crate::claim::{BiasBound, Claim};
+use crate::experiment::{Experiment, Plan, Terms};
 use crate::fault::Fault;
 use freepath_draws::random::UNIFORM_BITS;
+use freepath_statistics::claim::{BiasBound, Design, Withdrawal};
 
 pub use crate::blocks::BLOCK;
-pub use crate::scene::{Scene, Work};
 
 /// Draws of stage 1 unless a case says otherwise.
 pub const DRAWS: u64 = 1_000_000;
@@ -26,10 +26,8 @@ pub enum Route {
 /// A subject in a scene.
 #[derive(Clone)]
 pub struct Subject<'a> {
-    /// What makes the draws.
-    pub work: Work<'a>,
-    /// Where.
-    pub scene: Scene<'a>,
+    /// What makes the draws, and where.
+    pub experiment: &'a dyn Experiment,
     /// The subject's part of every key.
     pub key: u64,
     /// Draws of stage 1.
@@ -49,18 +47,17 @@ pub struct Subject<'a> {
     /// Faults laid over it.
     pub faults: &'a [Fault],
     /// Claims withdrawn.
-    pub without: &'a [Claim],
+    pub without: &'a [Withdrawal],
     /// Which method is driven.
     pub route: Route,
 }
 
 impl<'a> Subject<'a> {
-    /// `work` in `scene` with default effort, no fault and every claim.
+    /// An experiment with default effort, no fault and every claim.
     #[must_use]
-    pub fn new(work: Work<'a>, scene: Scene<'a>) -> Self {
+    pub fn new(experiment: &'a dyn Experiment) -> Self {
         Self {
-            work,
-            scene,
+            experiment,
             key: 0,
             draws: DRAWS,
             rows: BLOCK,
@@ -75,16 +72,45 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Whether `claim` still stands.
-    #[must_use]
-    pub fn claims(&self, claim: Claim) -> bool {
-        !self.without.contains(&claim)
-    }
-
     /// Whether the scalar method is driven: by choice, or since a fault asks for it.
     #[must_use]
     pub fn one_by_one(&self) -> bool {
         self.route == Route::Scalar || Fault::need_scalar(self.faults)
+    }
+
+    /// How far its claims go.
+    #[must_use]
+    pub fn terms(&self) -> Terms<'a> {
+        Terms {
+            tolerance: self.tolerance,
+            bits: self.bits,
+            draws: self.draws,
+            rows: self.rows,
+            budget: self.budget,
+            bias_bound: self.bias_bound,
+            without: self.without,
+            route: if self.one_by_one() { Route::Scalar } else { Route::Block },
+        }
+    }
+
+    /// What is claimed of it.
+    #[must_use]
+    pub fn plan(&self) -> Plan<'a> {
+        self.experiment.plan(&self.terms())
+    }
+
+    /// What a method that is biased by design should be found to be: unsure if it depends on where growth stops.
+    #[must_use]
+    pub fn design(&self, plan: &Plan) -> Design {
+        let first = plan.claims.design(self.draws);
+        let last = self.bias_bound.map_or(first, |_| plan.claims.design(self.budget));
+        Design::while_growing(first, last)
+    }
+
+    /// Whether every draw is made already: then the second stage is read, whatever the first gives.
+    #[must_use]
+    pub fn finished(&self) -> bool {
+        self.experiment.external().is_some_and(crate::samples::SampleSource::finished)
     }
 
     /// Whole blocks that hold `draws` draws.

@@ -17,5 +17,5 @@ list! {
 }
 
 fn main() -> ExitCode {
-    freepath_cli::Command::named("own_command").free_path::<Samplers>().transmittance::<Estimators>().run()
+    freepath_cli::Command::named("own_command").list::<Samplers>().list::<Estimators>().run()
 }

@@ -4,9 +4,7 @@ use super::case::{WORDS, shipped};
 use super::{Answer, PLAIN, Target};
 use crate::judge::Bounds;
 use freepath_harness::case::{CaseFile, Limits, Prepared};
-use freepath_harness::collect::{Stopped, Watch, collect};
-use freepath_harness::judge::judge;
-use freepath_harness::plan::Plan;
+use freepath_harness::collect::{Stopped, Watch, observe};
 use freepath_harness::run::{self, Options};
 use serde_json::Value;
 use std::path::Path;
@@ -82,14 +80,15 @@ fn block(case: &Prepared) -> Result<f64, String> {
     let watch = Watch { cancelled: &never, progress: &|_| () };
     let mut most = 0.0;
     for prepared in &case.subjects {
-        let mut subject = prepared.runnable(&case.world, &case.case);
+        let mut subject = prepared.runnable(&case.case);
         (subject.draws, subject.rows, subject.lookups_per_draw) = (DRAWS, DRAWS as usize, 20_000);
-        let plan = Plan::of(&subject);
-        match collect(&subject, &plan, 1, 0..1, &watch) {
+        let plan = subject.plan();
+        match observe(&subject, &plan, 1, 0..1, &watch) {
             Ok(collected) => {
-                let lookups = collected.counts.audit.lookups as f64 / DRAWS as f64;
+                let summary = plan.claims.summary(Some(&collected.tallies));
+                let lookups = summary.audit.lookups as f64 / DRAWS as f64;
                 most = if lookups > most { lookups } else { most };
-                drop(judge(&subject, &plan, &collected));
+                drop(plan.claims.judge(&collected.tallies));
             }
             Err(Stopped::Subject(why)) => return Err(why),
             Err(Stopped::Cancelled) => return Err("nobody cancels".into()),

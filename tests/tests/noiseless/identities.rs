@@ -1,13 +1,12 @@
 //! Identities that a right subject keeps.
 
-use crate::subject::{Estimator, LENGTH, caught, estimator, found, in_medium, sinusoid, tracking};
+use crate::subject::{Estimator, LENGTH, caught, estimator, found, in_medium, of_estimator, sinusoid, tracking};
 use freepath_draws::random::uniform;
 use freepath_estimators::claims::{Channel, ChromaticClaims, FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::{Chromatic, Constant, Linear};
 use freepath_estimators::{
     ChromaticSampler, Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator,
 };
-use freepath_harness::subject::{Scene, Work};
 use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
@@ -21,8 +20,8 @@ fn a_segment_cut_short_does_not_compose() {
         })
     };
     let medium = Linear::new(0.5, 2.0, 3.0).expect("a medium");
-    assert_eq!(in_medium(Work::Transmittance(&marching(1.0)), &medium), []);
-    let short = in_medium(Work::Transmittance(&marching(1.0 - 8.9e-4)), &medium);
+    assert_eq!(of_estimator(&marching(1.0), &medium), []);
+    let short = of_estimator(&marching(1.0 - 8.9e-4), &medium);
     assert!(caught("identity_composition", Reason::Biased, &short));
 }
 
@@ -37,7 +36,7 @@ fn a_roulette_that_does_not_keep_the_weight_is_seen() {
             Some(if weight < 0.1 && u >= 0.5 { 0.0 } else { weight })
         }
     }
-    assert!(caught("identity_roulette", Reason::Biased, &in_medium(Work::Transmittance(&Unpaid), &sinusoid())));
+    assert!(caught("identity_roulette", Reason::Biased, &of_estimator(&Unpaid, &sinusoid())));
 }
 
 #[test]
@@ -49,7 +48,7 @@ fn noise_where_there_can_be_none_is_seen() {
     };
     let claims = TransmittanceClaims { moments, ..TransmittanceClaims::default() };
     let medium = Constant::new(1.3, LENGTH).expect("a medium");
-    let facts = in_medium(Work::Transmittance(&Estimator(noisy, claims)), &medium);
+    let facts = of_estimator(&Estimator(noisy, claims), &medium);
     assert!(caught("identity_zero_variance", Reason::WrongVariance, &facts));
 }
 
@@ -66,7 +65,7 @@ fn a_count_that_is_off_by_one_is_seen_under_a_tight_majorant() {
         }
     }
     let medium = Constant::new(1.3, LENGTH).expect("a medium");
-    assert!(caught("identity_counts", Reason::WrongLaw, &in_medium(Work::FreePath(&Counts), &medium)));
+    assert!(caught("identity_counts", Reason::WrongLaw, &in_medium(&Counts, &medium)));
 }
 
 #[test]
@@ -94,6 +93,6 @@ fn two_densities_that_disagree_are_seen() {
         }
     }
     let channels = Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], LENGTH).expect("channels");
-    let facts = found(Work::Chromatic(&Disagrees), Scene::Chromatic(channels.medium()));
+    let facts = found(&freepath_tests::chromatic(&Disagrees, channels.medium()));
     assert!(caught("identity_pdf", Reason::WrongLaw, &facts));
 }

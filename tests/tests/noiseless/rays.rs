@@ -2,6 +2,7 @@
 
 use freepath_estimators::{Extinction, Medium};
 use freepath_harness::case::{CaseFile, Limits};
+use freepath_harness::scene::MediumScene;
 use freepath_statistics::Fact;
 
 /// A ray through the head of the shipped cases.
@@ -14,7 +15,7 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> std::sync::Arc<dyn Medium> {
     let place = freepath_tests::root().join("cases/data/ray.json");
     let file = CaseFile::parse(&place, text).expect("a case");
     let case = file.prepare(&Limits::default()).expect("a ray").remove(0);
-    case.subjects[0].truth.clone().expect("one extinction")
+    case.scene.get().map(|MediumScene(medium)| medium.clone()).expect("one extinction")
 }
 
 #[test]

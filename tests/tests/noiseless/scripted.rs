@@ -1,9 +1,8 @@
 //! Uniforms at their extremes.
 
-use crate::subject::{LENGTH, caught, estimator, in_medium, sinusoid, spike, tracking};
+use crate::subject::{LENGTH, caught, estimator, in_medium, of_estimator, sinusoid, spike, tracking};
 use freepath_estimators::medium::{Constant, Sinusoid};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Majorants, Medium};
-use freepath_harness::subject::Work;
 use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
@@ -14,8 +13,8 @@ fn a_logarithm_at_the_closed_end_is_seen() {
         tracking(medium, rng, |rng| -libm::log1p(-rng.random::<f64>()))
     };
     for medium in [&spike() as &dyn Medium, &sinusoid()] {
-        assert!(caught("scripted", Reason::NonFinite, &in_medium(Work::FreePath(&wrong), medium)));
-        assert_eq!(in_medium(Work::FreePath(&right), medium), []);
+        assert!(caught("scripted", Reason::NonFinite, &in_medium(&wrong, medium)));
+        assert_eq!(in_medium(&right, medium), []);
     }
 }
 
@@ -27,7 +26,7 @@ fn a_closed_upper_end_is_seen() {
         if t < medium.length() { t } else { f64::INFINITY }
     };
     let medium = Constant::new(1.3, LENGTH).expect("a medium");
-    assert!(caught("scripted", Reason::NonFinite, &in_medium(Work::FreePath(&closed), &medium)));
+    assert!(caught("scripted", Reason::NonFinite, &in_medium(&closed, &medium)));
 }
 
 #[test]
@@ -52,7 +51,7 @@ fn a_null_probability_that_rounds_to_something_is_seen() {
             }
         }
     }
-    assert!(caught("scripted", Reason::NonFinite, &in_medium(Work::FreePath(&Rounded), &medium)));
+    assert!(caught("scripted", Reason::NonFinite, &in_medium(&Rounded, &medium)));
 }
 
 #[test]
@@ -78,8 +77,8 @@ fn a_step_of_zero_that_reads_as_unset_is_seen() {
         if t < medium.length() && t != 0.0 { t } else { f64::INFINITY }
     };
     let medium = Constant::new(1.3, LENGTH).expect("a medium");
-    assert!(caught("scripted", Reason::SubjectError, &in_medium(Work::FreePath(&hangs), &medium)));
-    assert!(caught("scripted", Reason::NonFinite, &in_medium(Work::FreePath(&escapes), &medium)));
+    assert!(caught("scripted", Reason::SubjectError, &in_medium(&hangs, &medium)));
+    assert!(caught("scripted", Reason::NonFinite, &in_medium(&escapes, &medium)));
 }
 
 #[test]
@@ -101,7 +100,7 @@ fn an_overshoot_carried_from_infinity_is_seen_in_the_weight() {
     });
     let truth = spike();
     let seen = freepath_estimators::Under::new(std::sync::Arc::new(spike()), Majorants::tight(&truth, 3));
-    let facts = in_medium(Work::Transmittance(&carry), &seen);
+    let facts = of_estimator(&carry, &seen);
     assert!(caught("scripted", Reason::NonFinite, &facts));
 }
 
@@ -115,5 +114,5 @@ fn a_look_up_beyond_the_ray_is_seen_at_the_extremes() {
         tracking(medium, rng, |rng| -libm::log1p(-rng.random::<f64>()))
     };
     let medium = Sinusoid::new(0.7, 0.9, 2.0, 0.8, 0.7).expect("a medium");
-    assert!(caught("scripted", Reason::OutOfSupport, &in_medium(Work::FreePath(&beyond), &medium)));
+    assert!(caught("scripted", Reason::OutOfSupport, &in_medium(&beyond, &medium)));
 }

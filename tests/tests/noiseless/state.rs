@@ -3,7 +3,6 @@
 use crate::subject::{caught, in_medium, sinusoid, tracking};
 use freepath_draws::{Draws, Key, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
-use freepath_harness::subject::Work;
 use freepath_results::Reason;
 use rand::{Rng, RngExt};
 use std::sync::Mutex;
@@ -16,7 +15,7 @@ fn a_subject_that_keeps_its_own_time_is_not_reproducible() {
         let shift = calls.fetch_add(1, Ordering::Relaxed) as f64 * 1e-12;
         tracking(medium, rng, |rng| shift - libm::log1p(-rng.random::<f64>()))
     };
-    let facts = in_medium(Work::FreePath(&own), &sinusoid());
+    let facts = in_medium(&own, &sinusoid());
     assert!(facts.iter().any(|fact| fact.check == "identity_reproducible"), "{facts:?}");
     assert!(facts.iter().all(|fact| fact.reason == Reason::NotReproducible), "{facts:?}");
 }
@@ -31,7 +30,7 @@ fn threads_that_share_a_seat_are_not_reproducible() {
         let late = f64::from(u8::from(seat.load(Ordering::SeqCst) != mine));
         tracking(medium, rng, |rng| late - libm::log1p(-rng.random::<f64>()))
     };
-    let facts = in_medium(Work::FreePath(&shared), &sinusoid());
+    let facts = in_medium(&shared, &sinusoid());
     assert!(caught("identity_reproducible", Reason::NotReproducible, &facts));
 }
 
@@ -44,7 +43,7 @@ fn state_that_leaks_from_a_finished_history_is_seen() {
         let before = std::mem::replace(&mut *last, t);
         if before == f64::INFINITY || t == f64::INFINITY { t } else { 0.5 * (t + before) } // reset by an escape alone
     };
-    let facts = in_medium(Work::FreePath(&leaks), &sinusoid());
+    let facts = in_medium(&leaks, &sinusoid());
     assert!(facts.iter().any(|fact| fact.check == "identity_history"), "{facts:?}");
 }
 
@@ -63,5 +62,5 @@ fn workers_with_one_seed_are_copies() {
             }
         }
     }
-    assert!(caught("identity_streams", Reason::Dependent, &in_medium(Work::FreePath(&OneSeed), &sinusoid())));
+    assert!(caught("identity_streams", Reason::Dependent, &in_medium(&OneSeed, &sinusoid())));
 }

@@ -2,24 +2,30 @@
 
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::medium::{BoxSpike, Sinusoid};
-use freepath_estimators::{Extinction, Medium, TransmittanceEstimator};
+use freepath_estimators::{Extinction, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_harness::describe::CHECKS;
+use freepath_harness::experiment::Experiment;
+use freepath_harness::kind::Ray;
 use freepath_harness::noiseless::facts;
-use freepath_harness::plan::Plan;
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::subject::Subject;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_tests::{free_path, transmittance};
 use rand::{Rng, RngExt};
 
 pub(crate) const LENGTH: f64 = 2.1;
 
-pub(crate) fn found(work: Work, scene: Scene) -> Vec<Fact> {
-    let subject = Subject { lookups_per_draw: 20_000, ..Subject::new(work, scene) };
-    facts(&subject, &Plan::of(&subject), 3)
+pub(crate) fn found(experiment: &dyn Experiment) -> Vec<Fact> {
+    let subject = Subject { lookups_per_draw: 20_000, ..Subject::new(experiment) };
+    facts(&subject, &subject.plan(), 3)
 }
 
-pub(crate) fn in_medium(work: Work, medium: &dyn Medium) -> Vec<Fact> {
-    found(work, Scene::Grey { truth: medium, seen: medium })
+pub(crate) fn in_medium(sampler: &dyn FreePathSampler, medium: &dyn Medium) -> Vec<Fact> {
+    found(&free_path(sampler, Ray::of(medium)))
+}
+
+pub(crate) fn of_estimator(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium) -> Vec<Fact> {
+    found(&transmittance(estimator, Ray::of(medium)))
 }
 
 pub(crate) fn spike() -> BoxSpike {

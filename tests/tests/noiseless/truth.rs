@@ -3,7 +3,6 @@
 use crate::subject::{LENGTH, caught, in_medium, tracking};
 use freepath_estimators::medium::Gaussian;
 use freepath_estimators::{Extinction, Majorants, Medium};
-use freepath_harness::subject::Work;
 use freepath_results::Reason;
 use rand::{Rng, RngExt};
 
@@ -68,9 +67,9 @@ fn a_medium_that_contradicts_itself_is_seen() {
     says(&Changed { tile: 1.0 + 1e-6, ..bump() }, "in a tile");
     says(&Changed { breaks: vec![1.0, 0.5], ..bump() }, "breaks");
     let facts = in_medium(
-        Work::FreePath(&|medium: &dyn Extinction, rng: &mut dyn Rng| {
+        &|medium: &dyn Extinction, rng: &mut dyn Rng| {
             tracking(medium, rng, |rng| -libm::log1p(-rng.random::<f64>()))
-        }),
+        },
         &Changed { tau: |inner, t| inner.tau(t) * (1.0 + 1e-6), ..bump() },
     );
     assert!(caught("identity_medium", Reason::SubjectError, &facts));

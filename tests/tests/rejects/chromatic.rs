@@ -6,7 +6,7 @@ use freepath_estimators::ChromaticSampler;
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::medium::Chromatic;
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::subject::Subject;
 use freepath_results::Reason;
 use freepath_tests::{Judgement, judgement};
 use rand::Rng;
@@ -37,7 +37,8 @@ pub(crate) fn of_weights(change: fn(f64, f64) -> f64, pdf: f64) -> Judgement {
     let channels = Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], LENGTH).expect("channels");
     let inner = serde_json::from_str(r#"{ "balance": {} }"#).expect("a sampler");
     let sampler = Weights { inner, change, pdf };
-    let subject = Subject::new(Work::Chromatic(&sampler), Scene::Chromatic(channels.medium()));
+    let experiment = freepath_tests::chromatic(&sampler, channels.medium());
+    let subject = Subject::new(&experiment);
     judgement(&Subject { draws: 400_000, ..subject }, 5)
 }
 

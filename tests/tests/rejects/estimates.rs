@@ -6,9 +6,10 @@ use freepath_draws::{Draws, Streams};
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{Extinction, FreePath, Medium, TransmittanceEstimator};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::kind::Ray;
+use freepath_harness::subject::Subject;
 use freepath_results::{Reason, Verdict};
-use freepath_tests::{Judgement, judgement};
+use freepath_tests::{Judgement, judgement, transmittance};
 use rand::Rng;
 
 /// Ratio tracking, what it gives changed, and its claims.
@@ -66,8 +67,8 @@ pub(crate) fn of_estimate(estimator: &Estimator, draws: u64) -> Judgement {
     let inner = medium();
     let majorants = freepath_estimators::Majorants::constant(2.0 * MU, LENGTH).measured(&inner);
     let truth = freepath_estimators::Under::new(std::sync::Arc::new(inner), majorants);
-    let scene = Scene::Grey { truth: &truth, seen: &truth };
-    judgement(&Subject { draws, ..Subject::new(Work::Transmittance(estimator), scene) }, 5)
+    let ray = Ray::of(&truth);
+    judgement(&Subject { draws, ..Subject::new(&transmittance(estimator, ray)) }, 5)
 }
 
 pub(crate) fn estimates() -> Vec<(&'static str, Reason, Judgement)> {

@@ -5,9 +5,10 @@ use crate::path::{LENGTH, MU, medium, of_path, path, right, sampler};
 use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::medium::BoxSpike;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
-use freepath_harness::subject::{Scene, Subject, Work};
+use freepath_harness::kind::Ray;
+use freepath_harness::subject::Subject;
 use freepath_results::{Reason, Verdict};
-use freepath_tests::{Judgement, judgement};
+use freepath_tests::{Judgement, free_path, judgement};
 use rand::Rng;
 
 pub(crate) fn fails(reason: Reason, judgement: &Judgement) {
@@ -50,11 +51,8 @@ fn one_look_up_above_the_majorant_fails() {
         medium.mu(0.5);
         path(right(rng))
     });
-    let scene = Scene::Grey { truth: &truth, seen: &seen };
-    fails(
-        Reason::BoundViolated,
-        &judgement(&Subject { draws: 1, ..Subject::new(Work::FreePath(&clamped), scene) }, 5),
-    );
+    let ray = Ray { truth: &truth, seen: &seen };
+    fails(Reason::BoundViolated, &judgement(&Subject { draws: 1, ..Subject::new(&free_path(&clamped, ray)) }, 5));
 }
 
 /// A hit where mu is 0 has no probability at all, however few they are.
@@ -71,10 +69,10 @@ fn a_collision_in_vacuum_fails() {
             f64::INFINITY
         })
     });
-    let scene = Scene::Grey { truth: &truth, seen: &truth };
+    let ray = Ray::of(&truth);
     fails(
         Reason::OutOfSupport,
-        &judgement(&Subject { draws: 200_000, ..Subject::new(Work::FreePath(&stray), scene) }, 5),
+        &judgement(&Subject { draws: 200_000, ..Subject::new(&free_path(&stray, ray)) }, 5),
     );
 }
 
@@ -90,7 +88,7 @@ fn a_weighted_free_path_fails() {
                 (self.0)(medium, rng)
             }
         }
-        let (subject, scene) = (Weighted(weighted), Scene::Grey { truth: &truth, seen: &truth });
-        fails(Reason::WrongLaw, &judgement(&Subject::new(Work::FreePath(&subject), scene), 5));
+        let (subject, ray) = (Weighted(weighted), Ray::of(&truth));
+        fails(Reason::WrongLaw, &judgement(&Subject::new(&free_path(&subject, ray)), 5));
     }
 }

@@ -4,8 +4,9 @@ use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::FreePathClaims;
 use freepath_estimators::medium::Constant;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
-use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_tests::{Judgement, judgement};
+use freepath_harness::kind::Ray;
+use freepath_harness::subject::Subject;
+use freepath_tests::{Judgement, free_path, judgement};
 use rand::Rng;
 
 pub(crate) const MU: f64 = 1.3;
@@ -67,6 +68,6 @@ pub(crate) fn in_part(medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
 
 pub(crate) fn of_path(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
     let truth = medium();
-    let scene = Scene::Grey { truth: &truth, seen: &truth };
-    judgement(&Subject { draws, ..Subject::new(Work::FreePath(sampler), scene) }, 5)
+    let ray = Ray::of(&truth);
+    judgement(&Subject { draws, ..Subject::new(&free_path(sampler, ray)) }, 5)
 }

@@ -6,8 +6,9 @@ use freepath_estimators::claims::FreePathClaims;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Linear;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
-use freepath_harness::subject::{Scene, Subject, Work};
-use freepath_tests::{Judgement, judgement};
+use freepath_harness::kind::Ray;
+use freepath_harness::subject::Subject;
+use freepath_tests::{Judgement, free_path, judgement};
 use rand::Rng;
 
 /// The optical depth of a ramp from 0.5 to 2 on a length of 2.1, and where it is reached.
@@ -45,6 +46,6 @@ fn of_delta_tracking(truth: &dyn Medium) -> FreePathClaims<'_> {
 pub(crate) fn in_the_ramp() -> Judgement {
     let truth = Linear::new(RAMP.0, 2.0, LENGTH).expect("a medium");
     let sampler = Sampler { draw: looks_anywhere, claims: of_delta_tracking };
-    let scene = Scene::Grey { truth: &truth, seen: &truth };
-    judgement(&Subject { draws: 200_000, ..Subject::new(Work::FreePath(&sampler), scene) }, 5)
+    let ray = Ray::of(&truth);
+    judgement(&Subject { draws: 200_000, ..Subject::new(&free_path(&sampler, ray)) }, 5)
 }

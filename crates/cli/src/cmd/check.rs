@@ -1,14 +1,11 @@
 //! `freepath check`: samples that another program has drawn, judged as a subject of a case is.
 
-use crate::args::{Check, Kind, When};
+use crate::args::{Check, When};
 use crate::cmd::run::judge;
 use crate::program;
 use crate::trouble::Trouble;
 use freepath_draws::simd;
-use freepath_harness::case::{
-    CaseError, CaseFile, ChromaticSamples, ChromaticSubject, FreePathSamples, FreePathSubject, Limits, Prepared,
-    Subject, TransmittanceSamples, TransmittanceSubject,
-};
+use freepath_harness::case::{CaseError, CaseFile, Limits, Prepared, SampleArguments, SubjectSpec};
 use freepath_harness::run::quoted;
 use freepath_harness::source::samples::Escape;
 use std::io::{IsTerminal, stderr};
@@ -22,42 +19,24 @@ pub(crate) fn check(args: &Check, color: When) -> Result<u8, Trouble> {
     judge(&cases, 1, repro(args), &args.output, color) // the seed seeds nothing
 }
 
-fn prepared(args: &Check, subject: Subject) -> Result<Vec<Prepared>, CaseError> {
+fn prepared(args: &Check, subject: SubjectSpec) -> Result<Vec<Prepared>, CaseError> {
     let limits = Limits { allow_paths: args.allow_paths, ..Limits::default() };
     CaseFile::load(&args.case)?.checking(subject, args.ray)?.prepare(&limits)
 }
 
 /// The subject that a case would have.
-fn subject(args: &Check) -> Result<Subject, &'static str> {
+fn subject(args: &Check) -> Result<SubjectSpec, &'static str> {
     let Check { samples, column, weight, escape, format, .. } = args;
-    let (file, column, format) = (samples.clone(), column.clone(), *format);
-    let weighted = weight.is_some() || *escape != Escape::default();
-    let mut subject = Subject {
-        draws: args.draws,
-        tolerance: args.tolerance,
-        resolution_bits: args.resolution_bits,
-        ..Subject::default()
+    let arguments = SampleArguments {
+        file: samples.clone(),
+        column: column.clone(),
+        weight: weight.clone(),
+        escape: *escape,
+        format: *format,
     };
-    match args.kind {
-        Kind::FreePath => {
-            let samples = FreePathSamples { file, column, weight: weight.clone(), escape: *escape, format };
-            subject.free_path = Some(FreePathSubject::Samples(samples));
-        }
-        Kind::Transmittance | Kind::Chromatic if weighted => {
-            return Err("cannot use --weight or --escape: they belong to free paths (--as free_path)");
-        }
-        Kind::Transmittance => {
-            let samples = TransmittanceSamples { file, column, format };
-            subject.transmittance = Some(TransmittanceSubject::Samples(samples));
-        }
-        Kind::Chromatic if column.is_some() => {
-            return Err("cannot use --column: chromatic samples have the columns t, event, w0, w1, ..");
-        }
-        Kind::Chromatic => {
-            subject.chromatic = Some(ChromaticSubject::Samples(ChromaticSamples { file, format }));
-        }
-    }
-    Ok(subject)
+    let unknown = Err("cannot tell what the samples are: there is no such kind");
+    let spec = SubjectSpec::of_samples(&args.kind, arguments).unwrap_or(unknown)?;
+    Ok(SubjectSpec { draws: args.draws, tolerance: args.tolerance, resolution_bits: args.resolution_bits, ..spec })
 }
 
 /// As a case has it.
@@ -68,11 +47,10 @@ fn name(value: &impl serde::Serialize) -> String {
 
 /// The command with every flag that the results depend on.
 fn repro(args: &Check) -> String {
-    let kind = clap::ValueEnum::to_possible_value(&args.kind);
     let flag = |name: &str, value: &str| format!("--{name} {}", quoted(value));
     let mut words = vec![quoted(program::name()), "check".to_string(), quoted(&args.samples)];
     words.push(flag("case", &args.case.display().to_string()));
-    words.extend(kind.map(|kind| flag("as", kind.get_name())));
+    words.push(flag("as", &args.kind));
     words.extend(args.column.as_ref().map(|name| flag("column", name)));
     words.extend(args.weight.as_ref().map(|name| flag("weight", name)));
     let escape = Some(&args.escape).filter(|&escape| *escape != Escape::default());

@@ -5,7 +5,7 @@ use crate::screen::{self, cell};
 use crate::trouble::Trouble;
 use crate::{cases, files};
 use freepath_estimators::Medium;
-use freepath_harness::case::{Commands, Limits, Prepared, World};
+use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::medium_result;
 use freepath_results::MediumResult;
 use std::fmt::Write;
@@ -54,15 +54,8 @@ fn words(case: &Prepared, medium: &MediumResult, rows: u32) -> String {
         number(low.0),
         number(high.0)
     );
-    let extinctions: Vec<(String, &dyn Medium)> = match &case.world {
-        World::Grey(medium) => vec![(String::new(), medium)],
-        World::Chromatic(medium) => {
-            let media = medium.media().iter().enumerate();
-            media.map(|(i, (channel, _))| (format!("channel {i}: "), channel as &dyn Medium)).collect()
-        }
-    };
-    for (channel, medium) in extinctions {
-        text += &table(&channel, medium, rows);
+    for view in case.scene.views() {
+        text += &table(&view.label, view.medium, rows);
     }
     text
 }

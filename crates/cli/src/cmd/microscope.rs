@@ -25,7 +25,7 @@ pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> 
     let focus = Focus { points: args.points, scrambles: args.scrambles, seed: args.seed };
     for case in &cases {
         for prepared in &case.subjects {
-            let seen = pool.install(|| look(&prepared.runnable(&case.world, &case.case), focus));
+            let seen = pool.install(|| look(&prepared.runnable(&case.case), focus));
             screen::print(&words(case, prepared, seen))?;
         }
     }

@@ -1,6 +1,7 @@
 //! How a name stands in a case: required parameters only, and bounds, which few files know.
 
 use super::{resolve, variants};
+use freepath_harness::kind::KINDS;
 use serde_json::{Map, Value, json};
 
 /// A line of a case that uses `name`; empty for a claim, which is withdrawn in a list.
@@ -19,7 +20,7 @@ pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String
         body => json!({ name: value(schema, name, body) }),
     };
     match kind {
-        "free_path" | "transmittance" | "chromatic" => spaced(&json!({ kind: used })),
+        kind if KINDS.iter().any(|known| known.name == kind) => spaced(&json!({ kind: used })),
         "claim" => format!("\"without\": [\"{name}\"]"),
         "agreement" => format!("\"agree\": [\"{name}\"]"),
         _ => format!("\"{kind}\": {}", spaced(&used)),

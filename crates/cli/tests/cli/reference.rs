@@ -1,7 +1,7 @@
 //! `list`, `describe` and `schema`: no name is left out, and every example can be run.
 
 use crate::support::{folder, put, run};
-use freepath_harness::case::{ChromaticSubject, FreePathSubject, TransmittanceSubject};
+use freepath_harness::kind::KINDS;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -16,9 +16,9 @@ fn every_name_is_listed_with_a_sentence_and_described() {
     let folder = folder("names");
     let listed = listed(&folder);
     let has = |kind: &str, name: &str| listed.iter().any(|entry| entry["kind"] == kind && entry["name"] == name);
-    assert!(FreePathSubject::names().iter().all(|name| has("free_path", name)));
-    assert!(TransmittanceSubject::names().iter().all(|name| has("transmittance", name)));
-    assert!(ChromaticSubject::names().iter().all(|name| has("chromatic", name)));
+    for kind in KINDS {
+        assert!((kind.names)().iter().all(|name| has(kind.name, name)), "{}", kind.name);
+    }
     assert!(has("medium", "voxel_grid") && has("fault", "nan_draw") && has("reason", "biased"));
     for entry in &listed {
         let (name, kind) = (entry["name"].as_str().unwrap(), entry["kind"].as_str().unwrap());

@@ -5,7 +5,8 @@ use crate::place::{Test, path, root};
 use crate::support::{freepath, put, told};
 use crate::tools::Tool;
 use freepath_estimators::Extinction;
-use freepath_harness::case::{CaseFile, Commands, Limits, World};
+use freepath_harness::case::{CaseFile, Commands, Limits};
+use freepath_harness::scene::MediumScene;
 use std::path::Path;
 
 pub(crate) const TESTS: &[Test] = &[
@@ -117,7 +118,7 @@ fn shown(folder: &Path, i: usize, medium: &str, argv: &[&str]) -> Shown {
 fn breaks(case: &Path) -> Vec<f64> {
     let limits = Limits { commands: Commands::Named, ..Limits::default() };
     let prepared = CaseFile::load(case).and_then(|case| case.prepare(&limits)).unwrap();
-    let World::Grey(medium) = &prepared[0].world else { panic!("channels") };
+    let Some(MediumScene(medium)) = prepared[0].scene.get() else { panic!("channels") };
     medium.breaks().to_vec()
 }
 

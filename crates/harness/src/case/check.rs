@@ -1,6 +1,9 @@
 //! What can be refused before a medium is built: kinds, names, faults, efforts.
 
-use super::{BiasBound, CaseError, CaseFile, Claim, MOST_DRAWS, Subject};
+use super::any_named::AnyNamed;
+use super::{CaseError, CaseFile, MOST_DRAWS, SubjectSpec};
+use crate::kind::KINDS;
+use freepath_statistics::claim::{BiasBound, Withdrawal};
 use std::collections::HashSet;
 
 impl CaseFile {
@@ -25,7 +28,7 @@ impl CaseFile {
             if name.is_empty() || name.len() > 200 {
                 return Err(self.refuse(&format!("{at}.name"), "the name must have from 1 to 200 letters"));
             }
-            if !names.insert((subject.kind().0, name.clone())) {
+            if !names.insert((subject.kind(), name.clone())) {
                 let why = format!("there are two subjects named \"{name}\" (give one a `name` of its own)");
                 return Err(self.refuse(&at, why));
             }
@@ -38,8 +41,8 @@ impl CaseFile {
         self.check_effort()
     }
 
-    /// A setting that masks its fault says what it hides, and what is to be found all the same.
-    fn check_masks_fault(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
+    /// An innocent setting hides a fault, and says what is to be found all the same.
+    fn check_masks_fault(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
         let faults = subject.fault.as_ref().map_or(0, |faults| faults.0.len());
         if subject.masks_fault && (faults == 0 || subject.expect.is_none()) {
             let why = "an innocent setting needs what it hides and what is expected (a `fault` and an `expect`)";
@@ -48,13 +51,12 @@ impl CaseFile {
         Ok(())
     }
 
-    fn check_kind(&self, at: &str, subject: &Subject) -> Result<(), CaseError> {
-        let kinds = [subject.free_path.is_some(), subject.transmittance.is_some(), subject.chromatic.is_some()];
-        match kinds.iter().filter(|is| **is).count() {
+    fn check_kind(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
+        match subject.all_named().len() {
             1 => Ok(()),
             n => {
-                let why =
-                    format!("a subject has {n} kinds (exactly one of `free_path`, `transmittance`, `chromatic`)");
+                let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+                let why = format!("a subject has {n} kinds (exactly one of `{}`)", kinds.join("`, `"));
                 Err(self.refuse(at, why))
             }
         }
@@ -66,15 +68,18 @@ impl CaseFile {
         self.check_numbers("", case.draws, case.budget, case.bias_bound, case.tolerance, case.resolution_bits)?;
         for (i, s) in case.subjects.iter().enumerate() {
             let at = format!("subjects[{i}].");
-            if s.without.contains(&Claim::Truth) && s.bias_bound.or(case.bias_bound).is_some() {
+            if s.without.contains(&Withdrawal::Truth) && s.bias_bound.or(case.bias_bound).is_some() {
                 let why = "a bias bound needs the truth, which is withdrawn (do without one of them)";
                 return Err(self.refuse(&format!("{at}without"), why));
             }
             self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
-            if s.chromatic.is_some() && s.bias_bound.or(case.bias_bound).is_some() {
+            if !s.named().is_none_or(AnyNamed::grows) && s.bias_bound.or(case.bias_bound).is_some() {
                 let at = if s.bias_bound.is_some() { format!("{at}bias_bound") } else { "bias_bound".into() };
-                let why = "a chromatic subject has many means, which cannot grow towards one bias_bound (state it for free \
-                           paths and transmittances)";
+                let why = format!(
+                    "a {} subject has many means, which cannot grow towards one bias_bound (state it for free \
+                     paths and transmittances)",
+                    s.kind()
+                );
                 return Err(self.refuse(&at, why));
             }
         }

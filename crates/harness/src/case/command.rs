@@ -1,14 +1,13 @@
 //! Programs as subjects.
 
-use super::surroundings::Place;
-use super::{CaseError, CaseFile, ChromaticSubject, FreePathSubject, Subject, TransmittanceSubject, World};
+use super::any_named::{AnyNamed, Preparing};
+use super::{CaseError, SubjectSpec};
+use crate::kind::Outline;
 use crate::program::{IDLE, IDLE_RANGE, Program, Setting};
 use crate::samples::SampleKind;
-use freepath_estimators::{Extinction, Medium};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 /// A program in any language, started for each stage in the folder of the case; needs `--allow-commands`.
@@ -49,59 +48,42 @@ pub enum Commands {
     Started(Option<f64>),
 }
 
-impl Subject {
-    /// The program that it is, if it is one, and what it draws.
-    pub(super) fn command(&self) -> Option<(SampleKind, &Command)> {
-        match (&self.free_path, &self.transmittance, &self.chromatic) {
-            (Some(FreePathSubject::Command(command)), ..) => Some((SampleKind::FreePath, command)),
-            (_, Some(TransmittanceSubject::Command(command)), _) => Some((SampleKind::Transmittance, command)),
-            (_, _, Some(ChromaticSubject::Command(command))) => Some((SampleKind::Chromatic, command)),
-            _ => None,
-        }
-    }
-}
-
-impl CaseFile {
-    /// The program, if `spec` is one, along the ray of `world`; `truth` has the majorants of the subject.
+impl Preparing<'_> {
+    /// The program, along the ray of `outline`, which has the majorants of the subject.
     pub(super) fn program(
         &self,
-        at: &str,
-        spec: &Subject,
-        (world, truth): (&World, Option<&Arc<dyn Medium>>),
-        place: &Place,
-    ) -> Result<Option<Program>, CaseError> {
-        let Some((kind, command)) = spec.command() else { return Ok(None) };
-        let at = format!("{at}.{}.command", spec.kind().0);
-        let refuse = |field: &str, why: String| self.refuse(&format!("{at}{field}"), why);
-        let idle = self.allowed(&at, spec, command, place.commands)?;
+        named: &dyn AnyNamed,
+        kind: SampleKind,
+        command: &Command,
+        outline: &Outline,
+    ) -> Result<Program, CaseError> {
+        let (case, place) = (&self.file.case, self.place);
+        let at = format!("{}.{}.command", self.at, named.kind());
+        let idle = self.allowed(&at, self.spec, command, place.commands)?;
         let folder = std::fs::canonicalize(place.here()).unwrap_or_else(|_| place.here().to_path_buf());
-        let (length, channels) = match world {
-            World::Grey(medium) => (medium.length(), 0),
-            World::Chromatic(medium) => (medium.length(), medium.media().len()),
-        };
         let setting = Setting {
             kind,
-            medium: serde_json::to_value(&self.case.medium).unwrap_or_default(),
-            truth: truth.map(|truth| &**truth),
-            length,
-            channels,
-            tolerance: spec.tolerance.or(self.case.tolerance).unwrap_or(0.0),
-            case_file: self.path.file_name().map(|name| folder.join(name)).unwrap_or_default(),
+            medium: serde_json::to_value(&case.medium).unwrap_or_default(),
+            truth: outline.medium,
+            length: outline.length,
+            channels: outline.weights,
+            tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
+            case_file: self.file.path.file_name().map(|name| folder.join(name)).unwrap_or_default(),
         };
         let argv = in_folder(&command.argv, &folder);
-        let cannot = |why| refuse("", format!("the table of the medium cannot be written: {why}"));
-        Program::new(&argv, folder, idle, &setting).map(Some).map_err(cannot)
+        let cannot = |why| self.file.refuse(&at, format!("the table of the medium cannot be written: {why}"));
+        Program::new(&argv, folder, idle, &setting).map_err(cannot)
     }
 
     /// The idle limit, if the command may run at all.
     fn allowed(
         &self,
         at: &str,
-        spec: &Subject,
+        spec: &SubjectSpec,
         command: &Command,
         commands: Commands,
     ) -> Result<Duration, CaseError> {
-        let refuse = |field: &str, why: &str| Err(self.refuse(&format!("{at}{field}"), why));
+        let refuse = |field: &str, why: &str| Err(self.file.refuse(&format!("{at}{field}"), why));
         if commands == Commands::Refused {
             let why =
                 "it starts a program, which can do whatever you can (run with --allow-commands if you trust it)";

@@ -1,6 +1,7 @@
-use super::{CaseError, CaseFile, Subject, World};
+use super::CaseError;
+use super::any_named::{AnyNamed, Preparing};
 use crate::fault::{Fault, Target};
-use freepath_estimators::Medium;
+use crate::kind::Outline;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -44,26 +45,20 @@ impl JsonSchema for Faults {
     }
 }
 
-impl CaseFile {
-    /// Refuses a fault that cannot be laid over this subject in this medium.
-    pub(super) fn check_faults(
-        &self,
-        at: &str,
-        spec: &Subject,
-        world: &World,
-        truth: Option<&dyn Medium>,
-    ) -> Result<(), CaseError> {
-        let (kind, estimator) = spec.kind();
-        let json = serde_json::to_value(spec).unwrap_or_default();
-        let channels = match world {
-            World::Chromatic(medium) => Some(medium),
-            World::Grey(_) => None,
+impl Preparing<'_> {
+    /// Refuses a fault that cannot be laid over this subject in this scene.
+    pub(super) fn check_faults(&self, named: &dyn AnyNamed, outline: &Outline) -> Result<(), CaseError> {
+        let json = named.json();
+        let target = Target {
+            kind: named.kind(),
+            estimator: named.name(),
+            parameters: &json[named.name()],
+            medium: outline.medium,
+            channels: outline.channels,
         };
-        let target = Target { kind, estimator, parameters: &json[kind][estimator], medium: truth, channels };
-        let mut faults = spec.fault.iter().flat_map(|faults| &faults.0);
-        faults.try_for_each(|fault| {
-            let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
-            fault.fits(&target).map_err(refused)
+        self.spec.faults().iter().try_for_each(|fault| {
+            let words = |why| format!("fault {}: {why}", fault.name());
+            fault.fits(&target).map_err(|why| self.file.refuse(&format!("{}.fault", self.at), words(why)))
         })
     }
 }

@@ -1,58 +1,40 @@
-//! What a subject is called, and what it runs.
+//! What a subject is called.
 
-use super::origin::Origin;
-use super::samples::Samples;
-use super::{ChromaticSubject, FreePathSubject, Subject, TransmittanceSubject};
-use crate::subject::Work;
+use super::SubjectSpec;
+use super::any_named::AnyNamed;
+use crate::fault::Fault;
 use serde_json::Value;
 
-impl Subject {
-    /// Its kind and its estimator's name.
-    pub(super) fn kind(&self) -> (&'static str, &'static str) {
-        match (&self.free_path, &self.transmittance, &self.chromatic) {
-            (Some(sampler), ..) => ("free_path", sampler.name()),
-            (_, Some(estimator), _) => ("transmittance", estimator.name()),
-            (_, _, Some(sampler)) => ("chromatic", sampler.name()),
-            _ => ("none", "none"),
-        }
+impl SubjectSpec {
+    /// What is under test; none before the one kind is checked for.
+    pub(crate) fn named(&self) -> Option<&dyn AnyNamed> {
+        self.all_named().into_iter().next()
     }
 
-    /// The file of samples that it is, if it is one.
-    pub(super) fn samples(&self) -> Option<Samples<'_>> {
-        match (&self.free_path, &self.transmittance, &self.chromatic) {
-            (Some(FreePathSubject::Samples(samples)), ..) => Some(Samples::FreePath(samples)),
-            (_, Some(TransmittanceSubject::Samples(samples)), _) => Some(Samples::Transmittance(samples)),
-            (_, _, Some(ChromaticSubject::Samples(samples))) => Some(Samples::Chromatic(samples)),
-            _ => None,
-        }
+    /// The name of its kind.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        self.named().map_or("none", AnyNamed::kind)
     }
 
-    /// What is run; `source` is where the draws of one come from that are made elsewhere.
-    pub(super) fn work<'a>(&'a self, source: Option<&'a Origin>) -> Work<'a> {
-        use ChromaticSubject as C;
-        use FreePathSubject as F;
-        use TransmittanceSubject as T;
-        if let Some(source) = source {
-            return source.work();
-        }
-        match (&self.free_path, &self.transmittance, &self.chromatic) {
-            (Some(F::Listed(sampler)), ..) => Work::FreePath(&**sampler),
-            (Some(F::Brought(sampler)), ..) => Work::FreePath(sampler.subject()),
-            (_, Some(T::Listed(estimator)), _) => Work::Transmittance(&**estimator),
-            (_, Some(T::Brought(estimator)), _) => Work::Transmittance(estimator.subject()),
-            (_, Some(T::ClosedForm(_)), _) => Work::ClosedForm,
-            (_, _, Some(C::Listed(sampler))) => Work::Chromatic(&**sampler),
-            (_, _, Some(C::Brought(sampler))) => Work::Chromatic(sampler.subject()),
-            _ => Work::Exact,
-        }
+    /// The name of what is under test.
+    #[must_use]
+    pub fn estimator(&self) -> &'static str {
+        self.named().map_or("none", AnyNamed::name)
+    }
+
+    /// Planted faults, in their order.
+    #[must_use]
+    pub fn faults(&self) -> &[Fault] {
+        self.fault.as_ref().map_or(&[], |faults| &faults.0)
     }
 
     /// The estimator with its parameters, such as `ray_marching stratified 4`.
     pub(super) fn default_name(&self) -> String {
-        let json =
-            serde_json::to_value((&self.free_path, &self.transmittance, &self.chromatic)).unwrap_or_default();
-        let mut words = vec![self.kind().1.to_string()];
-        collect_words(&json, false, &mut words);
+        let mut words = vec![self.estimator().to_string()];
+        if let Some(named) = self.named() {
+            collect_words(&named.json(), false, &mut words);
+        }
         words.join(" ")
     }
 }

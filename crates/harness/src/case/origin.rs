@@ -1,14 +1,8 @@
 //! Subjects whose draws are made elsewhere.
 
-use super::samples::Samples;
-use super::surroundings::Place;
-use super::{CaseError, CaseFile, Subject, World};
 use crate::program::Program;
-use crate::samples::SampleKind;
+use crate::samples::{SampleKind, SampleSource};
 use crate::source::samples::SampleFile;
-use crate::subject::Work;
-use freepath_estimators::Medium;
-use std::sync::Arc;
 
 /// Where the draws of a subject come from, if it does not make them here.
 pub enum Origin {
@@ -49,29 +43,21 @@ impl Origin {
         self.file().map_or(0.0, SampleFile::tolerance)
     }
 
-    /// What is run.
+    /// The rows that it holds.
     #[must_use]
-    pub fn work(&self) -> Work<'_> {
+    pub fn kind(&self) -> SampleKind {
         match self {
-            Self::File(kind, file) => Work::Samples(*kind, file),
-            Self::Program(program) => Work::Samples(program.kind(), program),
+            Self::File(kind, _) => *kind,
+            Self::Program(program) => program.kind(),
         }
     }
-}
 
-impl CaseFile {
-    /// The file or the program that `spec` is, if it is one.
-    pub(super) fn source(
-        &self,
-        at: &str,
-        spec: &Subject,
-        (world, truth): (&World, Option<&Arc<dyn Medium>>),
-        place: &Place,
-    ) -> Result<Option<Origin>, CaseError> {
-        if let Some(program) = self.program(at, spec, (world, truth), place)? {
-            return Ok(Some(Origin::Program(program)));
+    /// What is read.
+    #[must_use]
+    pub fn source(&self) -> &dyn SampleSource {
+        match self {
+            Self::File(_, file) => file,
+            Self::Program(program) => program,
         }
-        let file = self.sample_file(at, spec, world, place)?;
-        Ok(file.zip(spec.samples().map(Samples::kind)).map(|(file, kind)| Origin::File(kind, file)))
     }
 }

@@ -1,26 +1,20 @@
 //! From a case to subjects ready to run: media are built, majorants checked, parameters refused at their place.
 
+use super::any_named::{Preparing, Ready};
 use super::surroundings::{Place, Volumes};
-use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, Subject};
+use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, SubjectSpec};
 use crate::agree::Variant;
+use crate::experiment::Experiment;
 use crate::fault::Fault;
 use crate::hash::hash;
-use crate::subject::{DRAWS, Scene};
+use crate::scene::{ChannelScene, MediumScene, Scene};
+use crate::subject::{DRAWS, Subject};
 use freepath_draws::random::UNIFORM_BITS;
-use freepath_estimators::medium::{Built, ChromaticMedium};
-use freepath_estimators::{Medium, ParameterError, Under};
+use freepath_estimators::medium::Built;
+use freepath_estimators::{ParameterError, Under};
 use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
-
-/// The truth along one ray of a case.
-#[derive(Clone)]
-pub enum World {
-    /// One extinction, under the case's majorants.
-    Grey(Arc<dyn Medium>),
-    /// Homogeneous channels.
-    Chromatic(ChromaticMedium),
-}
 
 /// A case along one ray.
 pub struct Prepared {
@@ -30,8 +24,8 @@ pub struct Prepared {
     pub case: Arc<Case>,
     /// Which ray, if the case has several.
     pub ray: Option<usize>,
-    /// The medium.
-    pub world: World,
+    /// Where the truth lives.
+    pub scene: Arc<dyn Scene>,
     /// What is tested in it.
     pub subjects: Vec<PreparedSubject>,
 }
@@ -39,13 +33,11 @@ pub struct Prepared {
 /// A subject along one ray.
 pub struct PreparedSubject {
     /// As in the case.
-    pub spec: Subject,
+    pub spec: SubjectSpec,
     /// Its name, unique among its kind in the case.
     pub name: String,
-    /// The medium under the majorants that the subject should have; none for a chromatic one.
-    pub truth: Option<Arc<dyn Medium>>,
-    /// The same under those that it sees.
-    pub seen: Option<Arc<dyn Medium>>,
+    /// The subject in its scene.
+    pub experiment: Box<dyn Experiment>,
     /// Faults, in their order.
     pub faults: Vec<Fault>,
     /// The subject's part of every key.
@@ -53,24 +45,12 @@ pub struct PreparedSubject {
     /// Draws of stage 1.
     pub draws: u64,
     /// The other settings in which it must agree with itself.
-    pub variants: Vec<Variant>,
+    pub variants: Vec<Variant<'static>>,
     /// Where its draws come from, if they are made elsewhere.
-    pub source: Option<Origin>,
+    pub source: Option<Arc<Origin>>,
 }
 
 impl PreparedSubject {
-    /// `free_path`, `transmittance` or `chromatic`.
-    #[must_use]
-    pub fn kind(&self) -> &'static str {
-        self.spec.kind().0
-    }
-
-    /// The estimator's name in the list.
-    #[must_use]
-    pub fn estimator(&self) -> &'static str {
-        self.spec.kind().1
-    }
-
     /// In how many settings it is drawn.
     pub(crate) fn settings(&self) -> u64 {
         1 + self.variants.len() as u64
@@ -78,19 +58,14 @@ impl PreparedSubject {
 
     /// What is run.
     #[must_use]
-    pub fn runnable<'a>(&'a self, world: &'a World, case: &'a Case) -> crate::subject::Subject<'a> {
-        let scene = match (world, &self.truth, &self.seen) {
-            (World::Grey(_), Some(truth), Some(seen)) => Scene::Grey { truth, seen },
-            (World::Grey(medium), ..) => Scene::Grey { truth: medium, seen: medium },
-            (World::Chromatic(medium), ..) => Scene::Chromatic(medium),
-        };
-        let work = self.spec.work(self.source.as_ref());
-        let implied = self.source.as_ref().map_or(0.0, Origin::tolerance);
-        let bits = self.source.as_ref().map_or(UNIFORM_BITS, Origin::resolution_bits);
-        crate::subject::Subject {
+    pub fn runnable<'a>(&'a self, case: &'a Case) -> Subject<'a> {
+        let source = self.source.as_deref();
+        let implied = source.map_or(0.0, Origin::tolerance);
+        let bits = source.map_or(UNIFORM_BITS, Origin::resolution_bits);
+        Subject {
             key: self.key,
             draws: self.draws,
-            budget: match self.source.as_ref().and_then(Origin::file) {
+            budget: match source.and_then(Origin::file) {
                 Some(_) => self.draws, // a file does not grow
                 None => self.spec.budget.or(case.budget).unwrap_or_else(|| self.draws.saturating_mul(64)),
             },
@@ -99,7 +74,7 @@ impl PreparedSubject {
             bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(bits),
             faults: &self.faults,
             without: &self.spec.without,
-            ..crate::subject::Subject::new(work, scene)
+            ..Subject::new(&*self.experiment)
         }
     }
 }
@@ -143,16 +118,17 @@ impl CaseFile {
                 volumes: &volumes,
             };
             let at = number.map_or("medium".into(), |i| format!("rays[{i}]"));
-            let world = self.world(&place, &at)?;
-            let subjects =
-                (0..self.case.subjects.len()).map(|i| self.subject(i, number, (&world, &place), limits)).collect();
+            let scene = self.scene(&place, &at)?;
+            let subjects = (0..self.case.subjects.len())
+                .map(|i| self.subject(i, number, (&*scene, &place), limits))
+                .collect();
             let file = self.path.display().to_string();
-            Ok(Prepared { file, case: case.clone(), ray: number, world, subjects: all(subjects)? })
+            Ok(Prepared { file, case: case.clone(), ray: number, scene, subjects: all(subjects)? })
         };
         rays.into_iter().map(one).collect()
     }
 
-    fn world(&self, place: &Place, at: &str) -> Result<World, CaseError> {
+    fn scene(&self, place: &Place, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
         let name = self.case.medium.name();
         let inside = |why: ParameterError| {
             let path = if at == "medium" { format!("medium.{name}.{}", why.name()) } else { at.to_string() };
@@ -164,11 +140,11 @@ impl CaseFile {
             return Err(self.refuse("rays", why));
         }
         match built {
-            Built::Chromatic(medium) => Ok(World::Chromatic(medium)),
+            Built::Chromatic(medium) => Ok(Arc::new(ChannelScene(medium))),
             Built::Grey(medium) => {
                 let majorants =
                     self.case.majorant.majorants(&*medium).map_err(|why| self.refuse("majorant", why))?;
-                Ok(World::Grey(Arc::new(Under::new(medium, majorants))))
+                Ok(Arc::new(MediumScene(Arc::new(Under::new(medium, majorants)))))
             }
         }
     }
@@ -177,34 +153,26 @@ impl CaseFile {
         &self,
         i: usize,
         ray: Option<usize>,
-        (world, place): (&World, &Place),
+        (scene, place): (&dyn Scene, &Place),
         limits: &Limits,
     ) -> Result<PreparedSubject, CaseError> {
         let (spec, at) = (&self.case.subjects[i], format!("subjects[{i}]"));
-        self.check_kind_fits(&at, spec, world)?;
-        let truth = match world {
-            World::Grey(medium) => Some(self.truth(&at, spec, medium)?),
-            World::Chromatic(_) => None,
-        };
-        let source = self.source(&at, spec, (world, truth.as_ref()), place)?;
-        let work = spec.work(source.as_ref());
-        let faults = spec.fault.clone().unwrap_or_default().0;
-        self.check_faults(&at, spec, world, truth.as_deref())?;
-        let seen = truth.as_ref().map(|truth| self.seen(&at, (spec, work), truth, &faults)).transpose()?;
-        self.check_fit(&at, (spec, work), world, seen.as_deref())?;
-        let variants = self.variants(i, work, truth.as_ref(), &faults)?;
+        let Some(named) = spec.named() else { return Err(self.refuse(&at, "a subject has no kind")) };
+        let ready = named.ready(&Preparing { file: self, at, spec, scene, place })?;
+        let Ready { experiment, variants, source } = ready;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
-        let draws = match source.as_ref().and_then(Origin::file) {
+        let draws = match source.as_deref().and_then(Origin::file) {
             Some(file) => file.first_rows(),
             None => self.effort(spec, limits)?,
         };
-        let canonical = serde_json::to_string(&(&self.case.title, spec.kind(), &name, ray)).unwrap_or_default();
-        let (spec, key) = (spec.clone(), hash(&canonical));
-        Ok(PreparedSubject { spec, name, truth, seen, faults, key, draws, source, variants })
+        let canonical = serde_json::to_string(&(&self.case.title, (spec.kind(), spec.estimator()), &name, ray))
+            .unwrap_or_default();
+        let (spec, key, faults) = (spec.clone(), hash(&canonical), spec.faults().to_vec());
+        Ok(PreparedSubject { spec, name, experiment, faults, key, draws, source, variants })
     }
 
     /// Draws of stage 1.
-    fn effort(&self, spec: &Subject, limits: &Limits) -> Result<u64, CaseError> {
+    fn effort(&self, spec: &SubjectSpec, limits: &Limits) -> Result<u64, CaseError> {
         let asked = spec.draws.or(self.case.draws).unwrap_or(DRAWS);
         let effort = if limits.effort > 0.0 { limits.effort } else { 1.0 };
         let draws = limits.draws.unwrap_or((asked as f64 * effort).ceil() as u64);

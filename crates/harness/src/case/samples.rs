@@ -1,10 +1,10 @@
 //! Files of samples as subjects.
 
-use super::surroundings::Place;
-use super::{CaseError, CaseFile, Subject, World};
+use super::any_named::{AnyNamed, Preparing};
+use super::{CaseError, CaseFile, SubjectSpec};
+use crate::kind::{Body, Outline};
 use crate::samples::SampleKind;
 use crate::source::samples::{Escape, Format, Request, SampleFile};
-use freepath_estimators::Extinction;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -86,41 +86,129 @@ pub struct ChromaticSamples {
     pub format: Option<Format>,
 }
 
-/// A file of samples of any kind.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Samples<'a> {
-    FreePath(&'a FreePathSamples),
-    Transmittance(&'a TransmittanceSamples),
-    Chromatic(&'a ChromaticSamples),
+/// What a command line says of a file of samples.
+#[derive(Clone, Debug, Default)]
+pub struct SampleArguments {
+    /// Its name, or `-` for standard input.
+    pub file: String,
+    /// The column.
+    pub column: Option<String>,
+    /// The column of weights.
+    pub weight: Option<String>,
+    /// What an escape is.
+    pub escape: Escape,
+    /// How it is written.
+    pub format: Option<Format>,
 }
 
-impl<'a> Samples<'a> {
-    pub(super) fn file(self) -> &'a str {
-        match self {
-            Self::FreePath(samples) => &samples.file,
-            Self::Transmittance(samples) => &samples.file,
-            Self::Chromatic(samples) => &samples.file,
-        }
-    }
+/// A file of samples of one kind.
+pub trait SamplesSpec: Body {
+    /// Its name.
+    fn file(&self) -> &str;
 
-    pub(super) fn kind(self) -> SampleKind {
-        match self {
-            Self::FreePath(samples) if samples.weight.is_some() => SampleKind::WeightedFreePath,
-            Self::FreePath(_) => SampleKind::FreePath,
-            Self::Transmittance(_) => SampleKind::Transmittance,
-            Self::Chromatic(_) => SampleKind::Chromatic,
-        }
-    }
+    /// The rows that it holds.
+    fn kind(&self) -> SampleKind;
 
-    /// What is asked of the file, on a ray of this length, with weights for so many channels.
-    pub(super) fn request(self, length: f64, channels: usize) -> Request<'a> {
-        let (column, weight, escape, format) = match self {
-            Self::FreePath(s) => (s.column.as_deref(), s.weight.as_deref(), s.escape, s.format),
-            Self::Transmittance(s) => (s.column.as_deref(), None, Escape::default(), s.format),
-            Self::Chromatic(s) => (None, None, Escape::default(), s.format),
-        };
-        let kind = self.kind();
-        Request { kind, format, column, weight, escape, channels, length, draws: None, tolerance: None }
+    /// What is asked of it, where rows have no length yet.
+    fn request(&self) -> Request<'_>;
+
+    /// As a command line has it.
+    ///
+    /// # Errors
+    /// If an argument belongs to another kind, in words.
+    fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str>;
+}
+
+/// A [`SamplesSpec`] without its type.
+pub(crate) trait AnySamples {
+    fn file(&self) -> &str;
+    fn kind(&self) -> SampleKind;
+    fn request(&self) -> Request<'_>;
+}
+
+impl<S: SamplesSpec> AnySamples for S {
+    fn file(&self) -> &str {
+        self.file()
+    }
+    fn kind(&self) -> SampleKind {
+        self.kind()
+    }
+    fn request(&self) -> Request<'_> {
+        self.request()
+    }
+}
+
+/// What a request says that a kind does not.
+fn request(kind: SampleKind) -> Request<'static> {
+    let (column, weight, escape, format) = (None, None, Escape::default(), None);
+    let (channels, length, draws, tolerance) = (0, f64::NAN, None, None);
+    Request { kind, format, column, weight, escape, channels, length, draws, tolerance }
+}
+
+/// Why weights and escapes are refused.
+const NO_PATHS: &str = "cannot use --weight or --escape: they belong to free paths (--as free_path)";
+
+impl SampleArguments {
+    fn is_weighted(&self) -> bool {
+        self.weight.is_some() || self.escape != Escape::default()
+    }
+}
+
+impl SamplesSpec for FreePathSamples {
+    fn file(&self) -> &str {
+        &self.file
+    }
+    fn kind(&self) -> SampleKind {
+        if self.weight.is_some() { SampleKind::WeightedFreePath } else { SampleKind::FreePath }
+    }
+    fn request(&self) -> Request<'_> {
+        let (column, weight) = (self.column.as_deref(), self.weight.as_deref());
+        Request { column, weight, escape: self.escape, format: self.format, ..request(SamplesSpec::kind(self)) }
+    }
+    fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
+        let SampleArguments { file, column, weight, escape, format } = arguments;
+        Ok(Self { file, column, weight, escape, format })
+    }
+}
+
+impl SamplesSpec for TransmittanceSamples {
+    fn file(&self) -> &str {
+        &self.file
+    }
+    fn kind(&self) -> SampleKind {
+        SampleKind::Transmittance
+    }
+    fn request(&self) -> Request<'_> {
+        Request { column: self.column.as_deref(), format: self.format, ..request(SamplesSpec::kind(self)) }
+    }
+    fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
+        if arguments.is_weighted() {
+            return Err(NO_PATHS);
+        }
+        let SampleArguments { file, column, format, .. } = arguments;
+        Ok(Self { file, column, format })
+    }
+}
+
+impl SamplesSpec for ChromaticSamples {
+    fn file(&self) -> &str {
+        &self.file
+    }
+    fn kind(&self) -> SampleKind {
+        SampleKind::Chromatic
+    }
+    fn request(&self) -> Request<'_> {
+        Request { format: self.format, ..request(SamplesSpec::kind(self)) }
+    }
+    fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
+        if arguments.is_weighted() {
+            return Err(NO_PATHS);
+        }
+        if arguments.column.is_some() {
+            return Err("cannot use --column: chromatic samples have the columns t, event, w0, w1, ..");
+        }
+        let SampleArguments { file, format, .. } = arguments;
+        Ok(Self { file, format })
     }
 }
 
@@ -130,7 +218,7 @@ impl CaseFile {
     ///
     /// # Errors
     /// If the case has rays and `ray` is none of them.
-    pub fn checking(mut self, subject: Subject, ray: Option<usize>) -> Result<Self, CaseError> {
+    pub fn checking(mut self, subject: SubjectSpec, ray: Option<usize>) -> Result<Self, CaseError> {
         if let Some(ray) = ray.filter(|&ray| ray >= self.case.rays.len()) {
             let (path, rays) = (self.path.display(), self.case.rays.len());
             let why = format!("cannot find ray {ray} of {path}: it has {rays} (they are numbered from 0)");
@@ -139,46 +227,48 @@ impl CaseFile {
         (self.case.subjects, self.checked) = (vec![subject], Some(ray));
         Ok(self)
     }
+}
 
-    /// The open file, if `spec` is one of samples.
+impl Preparing<'_> {
+    /// The file, opened.
     pub(super) fn sample_file(
         &self,
-        at: &str,
-        spec: &Subject,
-        world: &World,
-        place: &Place,
-    ) -> Result<Option<SampleFile>, CaseError> {
-        let Some(samples) = spec.samples() else { return Ok(None) };
-        let rays = self.case.rays.len();
-        if rays > 1 && self.checked.flatten().is_none() {
+        named: &dyn AnyNamed,
+        samples: &dyn AnySamples,
+        outline: &Outline,
+    ) -> Result<SampleFile, CaseError> {
+        let (case, spec, at) = (&self.file.case, self.spec, &self.at);
+        let rays = case.rays.len();
+        if rays > 1 && self.file.checked.flatten().is_none() {
             let why = format!(
                 "samples belong to one ray, and the case has {rays} (state one, or make it a case of its own)"
             );
-            return Err(self.refuse(at, why));
+            return Err(self.file.refuse(at, why));
         }
         if spec.fault.is_some() {
             let why = "samples are drawn already (a fault is planted in a subject that draws)";
-            return Err(self.refuse(&format!("{at}.fault"), why));
+            return Err(self.file.refuse(&format!("{at}.fault"), why));
         }
         let refuse = |why: &dyn std::fmt::Display| {
-            let (kind, name) = spec.kind();
-            self.refuse(&format!("{at}.{kind}.{name}.file"), why)
+            self.file.refuse(&format!("{at}.{}.{}.file", named.kind(), named.name()), why)
         };
-        let path = self.place_of(samples.file(), place).map_err(|why| refuse(&why))?;
-        let (length, channels) = match world {
-            World::Grey(medium) => (medium.length(), 0),
-            World::Chromatic(medium) => (medium.length(), medium.media().len()),
+        let path = self.place_of(samples.file()).map_err(|why| refuse(&why))?;
+        let tolerance = spec.tolerance.or(case.tolerance);
+        let request = Request {
+            draws: spec.draws,
+            tolerance,
+            length: outline.length,
+            channels: outline.weights,
+            ..samples.request()
         };
-        let tolerance = spec.tolerance.or(self.case.tolerance);
-        let request = Request { draws: spec.draws, tolerance, ..samples.request(length, channels) };
-        SampleFile::open(&path, &request).map(Some).map_err(|why| refuse(&why))
+        SampleFile::open(&path, &request).map_err(|why| refuse(&why))
     }
 
-    fn place_of(&self, file: &str, place: &Place) -> Result<PathBuf, String> {
-        match (self.checked, file) {
+    fn place_of(&self, file: &str) -> Result<PathBuf, String> {
+        match (self.file.checked, file) {
             (Some(_), file) => Ok(file.into()),
             (None, "-") => Err("a case cannot read samples from standard input (`freepath check -` can)".into()),
-            (None, file) => place.resolve(file).map_err(|why| why.to_string()),
+            (None, file) => self.place.resolve(file).map_err(|why| why.to_string()),
         }
     }
 }

@@ -1,126 +1,64 @@
-use super::{Counts, FIRST_BLOCKS, Joint};
-use crate::plan::{ChannelClaim, Plan};
-use crate::sample::{columns, sample_block};
+use crate::sample::sample_block;
 use crate::subject::{BLOCK, Subject};
 use freepath_draws::{Draws, Key};
-use freepath_statistics::sequence::Capitals;
-use freepath_statistics::tally::{CellTally, CountTally, Extremes, PowerSums, Tail};
+use freepath_statistics::fold::{Counts, Folds, Parts, Tallies};
+use freepath_statistics::tally::Audit;
+use freepath_statistics::{Block, Scratch};
 use std::sync::{Mutex, PoisonError};
 
-/// The float sums of one block.
-pub(super) struct BlockSums {
-    /// The block's number.
-    pub(super) block: u64,
+/// What one block leaves.
+pub(super) struct BlockParts {
+    /// Its number.
+    pub(super) number: u64,
     pub(super) rows: u64,
-    pub(super) mean: Option<PowerSums>,
-    /// None of draws that come from a file.
-    pub(super) lookups: u64,
-    pub(super) capitals: Capitals,
-    pub(super) channels: Vec<PowerSums>,
+    /// Its float sums.
+    pub(super) parts: Parts,
     pub(super) seconds: f64,
-    /// For the first block: sums over its first draws.
-    pub(super) early: Vec<PowerSums>,
 }
 
 /// A worker's buffers and counts.
 pub(super) struct Worker {
     pub(super) draws: Draws,
-    index: Vec<u32>,
-    masked: Vec<f64>,
+    scratch: Scratch,
     counts: Counts,
 }
 
+/// The place of a block that has been drawn, and what it took.
+pub(super) struct Drawn<'a> {
+    pub(super) number: u64,
+    /// Its place in its range.
+    pub(super) nth: u64,
+    pub(super) audit: Option<&'a Audit>,
+    pub(super) seconds: f64,
+}
+
 impl Worker {
-    fn new(subject: &Subject, plan: &Plan) -> Self {
-        let cells = plan.law.as_ref().map(|law| CellTally::new(&law.truth));
-        let ends = plan.law.as_ref().map(|law| Box::new(Extremes::new(law.truth.length())));
-        let joint = plan.law.as_ref().filter(|law| law.coleman).map(|law| CountTally::joint(&law.truth));
-        let collisions = joint.or_else(|| plan.poisson.map(|_| CountTally::marginal()));
-        let tails = plan.tails().into_iter().map(|keep| keep.then(Tail::default)).collect();
-        let joint = Joint::new(plan);
-        let counts = Counts { cells, ends, collisions, joint, tails, ..Counts::default() };
-        Self { draws: columns(subject, subject.rows), index: Vec::new(), masked: Vec::new(), counts }
+    fn new(subject: &Subject, folds: &Folds) -> Self {
+        let draws = subject.experiment.columns(subject.rows);
+        Self { draws, scratch: Scratch::default(), counts: folds.empty() }
     }
 
     /// One block, the `nth` of its range.
-    fn run(&mut self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
-        let (row, first) = (key.block * BLOCK as u64, nth < FIRST_BLOCKS);
-        if nth == 0 {
-            self.counts.joint.in_parts(subject, plan, key, &mut self.draws, &mut self.index)?;
-        }
-        let watch = self.counts.joint.watch(first);
-        let record = sample_block(subject, key, row, &mut self.draws, watch.as_ref())?;
-        self.counts.audit = self.counts.audit.plus(record.audit);
-        self.counts.lookups.observe(record.audit.lookups);
-        let sums = self.tally(plan, key.block, first, record.seconds);
-        self.counts.joint.watched(watch, &self.index);
-        Ok(BlockSums { lookups: record.audit.lookups, ..sums })
+    pub(super) fn run(
+        &mut self,
+        subject: &Subject,
+        folds: &Folds,
+        key: Key,
+        nth: u64,
+    ) -> Result<BlockParts, String> {
+        let row = key.block * BLOCK as u64;
+        let watch = folds.watch(nth, &mut self.counts);
+        let record = sample_block(subject, key, row, &mut self.draws, watch)?;
+        let (number, audit, seconds) = (key.block, Some(&record.audit), record.seconds);
+        Ok(self.tally(folds, &Drawn { number, nth, audit, seconds }))
     }
 
-    /// Folds the draws of `block`, which took so many seconds.
-    pub(super) fn tally(&mut self, plan: &Plan, block: u64, first: bool, seconds: f64) -> BlockSums {
-        self.count(plan, first);
-        let early = if block == 0 { self.early(plan) } else { Vec::new() };
-        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
-            tail.observe(&self.draws.weight);
-        }
-        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
-        let rows = self.draws.rows as u64;
-        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
-    }
-
-    fn count(&mut self, plan: &Plan, first: bool) {
-        let Self { draws, index, counts, .. } = self;
-        if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
-            cells.observe(&law.truth, &draws.t, index);
-            if let Some(ends) = &mut counts.ends {
-                ends.observe(&draws.t);
-            }
-            if let Some(scores) = &law.scores {
-                counts.lag.observe(scores, index);
-            }
-            counts.joint.marks(law, draws, index);
-            if law.pair.is_some() {
-                counts.ties.observe(&draws.t, first);
-            }
-            let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
-            counts.weighted += weighted.count() as u64;
-        } else if let Some(channels) = &plan.channels {
-            let inside = |t: f64| (t >= 0.0 && t <= channels.length) || t == f64::INFINITY;
-            let count = |stray: &dyn Fn(f64) -> bool| draws.t.iter().filter(|&&t| stray(t)).count() as u64;
-            counts.strays[0] += count(&f64::is_nan);
-            counts.strays[1] += count(&|t| !t.is_nan() && !inside(t));
-        }
-        if let Some(collisions) = &mut counts.collisions {
-            collisions.observe(&draws.collisions, index);
-        }
-    }
-
-    /// Sums over the first 64, 128, .. draws, so that the running mean begins early.
-    fn early(&self, plan: &Plan) -> Vec<PowerSums> {
-        let Some(mean) = &plan.mean else { return Vec::new() };
-        let counts = (0..64).map(|i| (64.0 * libm::pow(1.09, f64::from(i))) as usize);
-        let part = |n: usize| PowerSums::of(mean.truth.expected, &self.draws.weight[..n]);
-        counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
-    }
-
-    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
-        let Some(channels) = &plan.channels else {
-            return Vec::new();
-        };
-        let Self { draws, masked, counts, .. } = self;
-        let mut one = |(claim, tail): (&ChannelClaim, &mut Option<Tail>)| {
-            let column = &draws.channels[claim.channel];
-            masked.clear();
-            masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
-                let counts = claim.event.holds(t) || t.is_nan();
-                if counts { w } else { 0.0 }
-            }));
-            tail.iter_mut().for_each(|tail| tail.observe(masked));
-            PowerSums::of(claim.mean.expected, masked)
-        };
-        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
+    /// Folds the draws of a block.
+    pub(super) fn tally(&mut self, folds: &Folds, drawn: &Drawn) -> BlockParts {
+        let Drawn { number, nth, audit, seconds } = *drawn;
+        let block = Block { draws: &self.draws, number, nth, audit };
+        let parts = folds.observe(&block, &mut self.scratch, &mut self.counts);
+        BlockParts { number, rows: self.draws.rows as u64, parts, seconds }
     }
 }
 
@@ -133,24 +71,19 @@ impl Workers {
         Self((0..slots).map(|_| Mutex::new(None)).collect())
     }
 
-    pub(super) fn run(&self, subject: &Subject, plan: &Plan, key: Key, nth: u64) -> Result<BlockSums, String> {
-        self.with(subject, plan, |worker| worker.run(subject, plan, key, nth))
-    }
-
     /// Puts the worker of this thread to `work`.
-    pub(super) fn with<T>(&self, subject: &Subject, plan: &Plan, work: impl FnOnce(&mut Worker) -> T) -> T {
+    pub(super) fn with<T>(&self, subject: &Subject, folds: &Folds, work: impl FnOnce(&mut Worker) -> T) -> T {
         let slot = &self.0[rayon::current_thread_index().map_or(0, |i| i + 1)];
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-        work(slot.get_or_insert_with(|| Worker::new(subject, plan)))
+        work(slot.get_or_insert_with(|| Worker::new(subject, folds)))
     }
 
-    /// The counts of all workers; none if nobody worked.
-    pub(super) fn counts(self) -> Option<Counts> {
-        let slots = self.0.into_iter();
-        let workers = slots.filter_map(|slot| slot.into_inner().unwrap_or_else(PoisonError::into_inner));
-        workers.map(|worker| worker.counts).reduce(|mut all, part| {
-            all.merge(part);
-            all
-        })
+    /// Adds the counts of all workers.
+    pub(super) fn count(self, folds: &Folds, tallies: &mut Tallies) {
+        for slot in self.0 {
+            if let Some(worker) = slot.into_inner().unwrap_or_else(PoisonError::into_inner) {
+                folds.count(tallies, &worker.counts);
+            }
+        }
     }
 }

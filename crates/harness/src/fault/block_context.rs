@@ -1,7 +1,6 @@
-use crate::scene::{Scene, Work};
 use freepath_draws::Key;
-use freepath_estimators::ChromaticSampler;
 use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{ChromaticSampler, Medium};
 
 /// The block of draws that a fault is laid over: for those that count walks, need random numbers, or must know whose draws
 /// they are.
@@ -12,25 +11,33 @@ pub struct BlockContext<'a> {
     /// Number of the block's first draw.
     pub first: u64,
     /// Whose draws they are.
-    pub work: Work<'a>,
-    /// In which medium.
-    pub scene: Scene<'a>,
+    pub drawn: DrawnIn<'a>,
+}
+
+/// What a fault of draws may ask of whoever made them.
+#[derive(Clone, Copy, Default)]
+pub struct DrawnIn<'a> {
+    /// The one extinction, if there is one.
+    pub medium: Option<&'a dyn Medium>,
+    /// The channels and who sampled them, if there are several.
+    pub channels: Option<SampledChannels<'a>>,
+}
+
+/// A chromatic sampler in its medium.
+#[derive(Clone, Copy)]
+pub struct SampledChannels<'a> {
+    /// The sampler.
+    pub sampler: &'a dyn ChromaticSampler,
+    /// Its channels.
+    pub medium: &'a ChromaticMedium,
 }
 
 /// The lane that no subject reads.
 pub(super) const FAULT_LANE: usize = 1000;
 
-impl<'a> BlockContext<'a> {
+impl BlockContext<'_> {
     /// Random numbers for faults.
     pub(super) fn rng(&self) -> impl rand::Rng {
         self.key.lane(FAULT_LANE)
-    }
-
-    /// The chromatic sampler and its channels.
-    pub(super) fn chromatic(&self) -> Option<(&'a dyn ChromaticSampler, &'a ChromaticMedium)> {
-        match (self.work, self.scene) {
-            (Work::Chromatic(sampler), Scene::Chromatic(medium)) => Some((sampler, medium)),
-            _ => None,
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Fault;
 use crate::case::{CaseFile, Limits};
-use crate::sample::{columns, sample_block};
+use crate::sample::sample_block;
 use crate::subject::BLOCK;
 use freepath_draws::{Draws, Key};
 use std::path::Path;
@@ -29,8 +29,8 @@ fn case(medium: &str, subject: &str, fault: &str) -> CaseFile {
 /// Some blocks of draws, one under another.
 fn drawn(medium: &str, subject: &str, fault: &str) -> Draws {
     let prepared = case(medium, subject, fault).prepare(&Limits::default()).expect("it fits").remove(0);
-    let subject = prepared.subjects[0].runnable(&prepared.world, &prepared.case);
-    let (mut block, mut all) = (columns(&subject, BLOCK), columns(&subject, 0));
+    let subject = prepared.subjects[0].runnable(&prepared.case);
+    let (mut block, mut all) = (subject.experiment.columns(BLOCK), subject.experiment.columns(0));
     for number in 0..8 {
         let key = Key { seed: 3, subject: 4, block: number };
         sample_block(&subject, key, number * BLOCK as u64, &mut block, None).expect("a block");

@@ -1,4 +1,3 @@
-use crate::subject::{Scene, Subject, Work};
 use freepath_draws::{Key, Streams};
 use freepath_estimators::medium::segment;
 use freepath_estimators::{Medium, TransmittanceEstimator};
@@ -19,12 +18,13 @@ const CUTS: [f64; 3] = [0.18, 0.41, 0.77];
 const ROUNDING: f64 = 1e-9;
 
 /// An estimator that takes no random number, on the ray and on its parts.
-pub(super) fn fact(subject: &Subject) -> Option<Fact> {
-    let (Work::Transmittance(estimator), Scene::Grey { truth, .. }) = (subject.work, subject.scene) else {
-        return None;
-    };
+pub(crate) fn composition(
+    estimator: &dyn TransmittanceEstimator,
+    truth: &dyn Medium,
+    tolerance: f64,
+) -> Option<Fact> {
     let whole = without_noise(estimator, truth)?;
-    CUTS.iter().find_map(|share| cut(estimator, truth, share * truth.length(), whole, subject.tolerance))
+    CUTS.iter().find_map(|share| cut(estimator, truth, share * truth.length(), whole, tolerance))
 }
 
 fn cut(

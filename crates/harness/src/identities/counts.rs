@@ -1,6 +1,5 @@
-use super::rows::draw;
-use crate::plan::Plan;
-use crate::subject::{Scene, Subject};
+use crate::experiment::Probe;
+use crate::kind::Ray;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -15,15 +14,13 @@ collides and none if it escapes.",
 const ROWS: usize = 256;
 
 /// Walks under a majorant that is mu itself, with other counts than 1 and 0.
-pub(super) fn fact(subject: &Subject, plan: &Plan, seed: u64) -> Option<Fact> {
-    let coleman = plan.law.as_ref().is_some_and(|law| law.coleman);
-    let Scene::Grey { truth, seen } = subject.scene else { return None };
+pub(crate) fn counts(Ray { truth, seen }: Ray, probe: &Probe) -> Option<Fact> {
     let (length, depth) = (truth.length(), truth.majorants().depth(truth.length()));
     let tight = (depth - truth.tau(length)).abs() <= 1e-13 * depth && seen.majorants() == truth.majorants();
-    if !(coleman && tight) || truth.tau_error() > 0.0 {
+    if !tight || truth.tau_error() > 0.0 {
         return None;
     }
-    let draws = draw(subject, seed, 3000, ROWS)?;
+    let draws = probe.draw(3000, ROWS)?;
     let due = |t: f64| u32::from(t < f64::INFINITY);
     let wrong = draws.t.iter().zip(&draws.collisions).find(|&(&t, &count)| count != due(t))?;
     let words =

@@ -1,4 +1,5 @@
-use crate::subject::{Scene, Subject, Work};
+use freepath_estimators::ChromaticSampler;
+use freepath_estimators::medium::ChromaticMedium;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -20,10 +21,7 @@ const ROUNDING: f64 = 1e-9;
 /// ```text
 /// pdf(t) = sum_c q_c mu_c exp(-mu_c t),   pdf(inf) = sum_c q_c exp(-mu_c length)
 /// ```
-pub(super) fn fact(subject: &Subject) -> Option<Fact> {
-    let (Work::Chromatic(sampler), Scene::Chromatic(medium)) = (subject.work, subject.scene) else {
-        return None;
-    };
+pub(crate) fn density(sampler: &dyn ChromaticSampler, medium: &ChromaticMedium, tolerance: f64) -> Option<Fact> {
     let (channels, length) = (medium.channels(), medium.length());
     let mixture = sampler.claims(&channels).mixture;
     let claimed = |t: f64| {
@@ -35,7 +33,7 @@ pub(super) fn fact(subject: &Subject) -> Option<Fact> {
     places.into_iter().find_map(|t| {
         let pdf = sampler.pdf(&channels, t)?;
         let due = claimed(t).unwrap_or(pdf);
-        let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due + subject.tolerance;
+        let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due + tolerance;
         let words = format!("the pdf at t = {t} is {pdf:e}, that of the claimed mixture {due:e}");
         (!holds).then(|| Fact::new(CHECK.0, Reason::WrongLaw, words))
     })

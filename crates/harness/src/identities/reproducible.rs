@@ -1,5 +1,6 @@
-use super::rows::{bits, draw};
-use crate::subject::{Route, Subject, Work};
+use super::rows::bits;
+use crate::experiment::Probe;
+use crate::subject::{Route, Subject};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 use std::collections::BTreeMap;
@@ -28,35 +29,38 @@ const THREADS: u64 = 4;
 pub(crate) const CHANCE: f64 = 1e-15;
 
 /// What the same seed twice, four threads at once and two seeds have to say, by each method.
-pub(super) fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
-    let routes = if subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
-    routes.iter().find_map(|&route| of_route(&Subject { route, ..subject.clone() }, seed)).into_iter().collect()
+pub(super) fn fact(probe: &Probe) -> Option<Fact> {
+    let routes = if probe.subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
+    routes.iter().find_map(|&route| {
+        let subject = Subject { route, ..probe.subject.clone() };
+        of_route(&Probe { subject: &subject, seed: probe.seed })
+    })
 }
 
-fn of_route(subject: &Subject, seed: u64) -> Option<Fact> {
-    let block = |i| draw(subject, seed, i, ROWS).map(|draws| bits(&draws));
+fn of_route(probe: &Probe) -> Option<Fact> {
+    let block = |i| probe.draw(i, ROWS).map(|draws| bits(&draws));
     let alone: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
     let again: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
     if alone != again {
         return Some(Fact::new(CHECK.0, Reason::NotReproducible, "the same seed twice gave other draws"));
     }
-    if alone != at_once(subject, seed)? {
+    if alone != at_once(probe)? {
         let words = format!("{THREADS} threads at once gave other draws than one");
         return Some(Fact::new(CHECK.0, Reason::NotReproducible, words));
     }
-    let deterministic = matches!(subject.work, Work::ClosedForm);
-    let copied = !deterministic && alone[0] == alone[1] && chance(&alone[0]) < CHANCE;
+    // blocks that are all one value, as those of a method without noise, are equal by right
+    let copied = alone[0] == alone[1] && chance(&alone[0]) < CHANCE;
     copied.then(|| {
         Fact::new(STREAMS.0, Reason::Dependent, "two blocks of draws of different streams are equal, draw by draw")
     })
 }
 
 /// The blocks of [`of_route`] from as many threads, started together.
-fn at_once(subject: &Subject, seed: u64) -> Option<Vec<Vec<Vec<u64>>>> {
+fn at_once(probe: &Probe) -> Option<Vec<Vec<Vec<u64>>>> {
     let together = Barrier::new(THREADS as usize);
     let block = |i| {
         together.wait();
-        draw(subject, seed, i, ROWS).map(|draws| bits(&draws))
+        probe.draw(i, ROWS).map(|draws| bits(&draws))
     };
     thread::scope(|scope| {
         let workers: Vec<_> = (0..THREADS).map(|i| scope.spawn(move || block(i))).collect();

@@ -1,5 +1,4 @@
-use crate::plan::Plan;
-use crate::subject::{Subject, Work};
+use freepath_estimators::TransmittanceEstimator;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -41,10 +40,9 @@ pub fn roulette(play: impl Fn(f64, f64) -> f64, negative: bool) -> Option<Fact> 
 }
 
 /// The roulette that the subject's estimator offers.
-pub(super) fn of_subject(subject: &Subject, plan: &Plan) -> Option<Fact> {
-    let Work::Transmittance(estimator) = subject.work else { return None };
+pub(crate) fn roulette_of(estimator: &dyn TransmittanceEstimator, bounded: bool) -> Option<Fact> {
     estimator.roulette(1.0, 0.5)?;
-    roulette(|weight, u| estimator.roulette(weight, u).unwrap_or(f64::NAN), !plan.bounded)
+    roulette(|weight, u| estimator.roulette(weight, u).unwrap_or(f64::NAN), !bounded)
 }
 
 /// The integral over [0, 1) of a function that is constant but for one jump in each 64th.

@@ -1,24 +1,6 @@
 //! Small blocks of draws for comparison, bit by bit.
 
-use crate::blocks::IDENTITIES;
-use crate::sample::{columns, sample_from};
-use crate::subject::Subject;
-use freepath_draws::{Draws, Key, Streams};
-
-/// Look-ups and random words for each draw at most: a dearer subject is not asked.
-const BUDGET: u64 = 20_000;
-
-/// `rows` draws of block `block`; none if the subject cannot give them, which its own draws will tell.
-pub(super) fn draw(subject: &Subject, seed: u64, block: u64, rows: usize) -> Option<Draws> {
-    let key = Key { seed, subject: subject.key, block: IDENTITIES + block };
-    let mut draws = columns(subject, rows);
-    let driven = Subject { lookups_per_draw: cheaper(subject.lookups_per_draw), ..subject.clone() };
-    sample_from(&driven, Streams::new(key), &mut draws).ok().map(|_| draws)
-}
-
-fn cheaper(budget: u64) -> u64 {
-    if budget < BUDGET { budget } else { BUDGET }
-}
+use freepath_draws::Draws;
 
 /// The bits of every column of every row.
 pub(super) fn bits(draws: &Draws) -> Vec<Vec<u64>> {

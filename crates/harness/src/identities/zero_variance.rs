@@ -1,6 +1,4 @@
-use super::rows::draw;
-use crate::plan::Plan;
-use crate::subject::Subject;
+use crate::experiment::Probe;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -14,16 +12,14 @@ pub(super) const CHECK: (&str, &str) = (
 const ROWS: usize = 256;
 
 /// Estimates differ where the claims say that they cannot.
-pub(super) fn fact(subject: &Subject, plan: &Plan, seed: u64) -> Option<Fact> {
-    let mean = plan.mean.as_ref()?;
-    let expected = mean.own.map_or(mean.truth.expected, |own| own.expected);
-    let still = mean.truth.variance.is_some_and(|variance| variance <= 1e-24 * expected * expected);
+pub(crate) fn zero_variance(variance: Option<f64>, expected: f64, probe: &Probe) -> Option<Fact> {
+    let still = variance.is_some_and(|variance| variance <= 1e-24 * expected * expected);
     if !still {
         return None;
     }
-    let draws = draw(subject, seed, 2000, ROWS)?;
+    let draws = probe.draw(2000, ROWS)?;
     let first = draws.weight[0];
-    let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + subject.tolerance;
+    let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + probe.subject.tolerance;
     let other = draws.weight.iter().find(|weight| !same(weight))?;
     let words = format!("estimates are {first:e} and {other:e} where there can be no noise");
     Some(Fact::new(CHECK.0, Reason::WrongVariance, words))

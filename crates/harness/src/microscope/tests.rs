@@ -1,8 +1,10 @@
 use super::*;
+use crate::experiment::InScene;
+use crate::kind::{FreePathKind, Ray, Transmittance};
 use freepath_estimators::TransmittanceEstimator;
 use freepath_estimators::medium::Gaussian;
 use freepath_estimators::transmittance::{AnyTransmittance, RatioTracking};
-use freepath_estimators::{Extinction, Majorants, Under};
+use freepath_estimators::{Extinction, Majorants, Medium, Under};
 use rand::Rng;
 
 fn bump(peak: f64) -> Under<Gaussian> {
@@ -12,8 +14,8 @@ fn bump(peak: f64) -> Under<Gaussian> {
 }
 
 fn seen(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium, points: u32) -> Sight {
-    let subject = Subject::new(Work::Transmittance(estimator), Scene::Grey { truth: medium, seen: medium });
-    look(&subject, Focus { points, scrambles: 16, seed: 1 }).expect("it can be seen")
+    let experiment = InScene::<Transmittance>::of(estimator, Ray::of(medium));
+    look(&Subject::new(&experiment), Focus { points, scrambles: 16, seed: 1 }).expect("it can be seen")
 }
 
 /// Ratio tracking whose weights are off by a share.
@@ -46,8 +48,8 @@ fn a_bias_below_the_noise_of_as_many_draws_is_seen() {
 #[test]
 fn the_interval_covers_as_often_as_it_says() {
     let medium = bump(1.0);
-    let subject =
-        Subject::new(Work::Transmittance(&RatioTracking {}), Scene::Grey { truth: &medium, seen: &medium });
+    let experiment = InScene::<Transmittance>::of(&RatioTracking {}, Ray::of(&medium));
+    let subject = Subject::new(&experiment);
     let covers = |seed| {
         let sight = look(&subject, Focus { points: 512, scrambles: 4, seed }).expect("it can be seen");
         assert!(sight.bias.is_ok(), "{sight:?}");
@@ -64,7 +66,8 @@ fn what_was_never_met_gives_no_interval() {
     assert!(sight.bias.is_err_and(|why| why.contains("may not have been met")));
     let nan = |_: &dyn Extinction, rng: &mut dyn Rng| if rng.next_u64() < 1 << 55 { f64::NAN } else { 0.5 };
     let medium = bump(1.0);
-    let subject = Subject::new(Work::FreePath(&nan), Scene::Grey { truth: &medium, seen: &medium });
+    let experiment = InScene::<FreePathKind>::of(&nan, Ray::of(&medium));
+    let subject = Subject::new(&experiment);
     let sight = look(&subject, Focus { points: 1024, scrambles: 2, seed: 1 }).expect("it can be seen");
     assert!(sight.bias.is_err_and(|why| why.contains("NaN")));
     assert!(look(&subject, Focus { points: 100, scrambles: 2, seed: 1 }).is_err());

@@ -5,9 +5,10 @@ use super::outcome::Outcome;
 use super::words::words;
 use crate::case::{Prepared, PreparedSubject};
 use crate::fault::Expectation;
-use crate::plan::Design;
 use crate::run::{Cancelled, Options, expected, id, tried, whole};
-use freepath_results::{FEWEST_DRAWS, PowerRow, Reason, Role, Rung, Verdict};
+use freepath_results::{FEWEST_DRAWS, PowerRow, Role, Rung};
+use freepath_results::{Reason, Verdict};
+use freepath_statistics::claim::Design;
 use freepath_statistics::decide::Decision;
 
 /// What is expected of a row, and the reason that it must fail for, if a particular one.
@@ -53,7 +54,7 @@ struct Found {
 /// One subject at full effort and, if it must be caught and is, at growing draws.
 pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options) -> Result<PowerRow, Cancelled> {
     let trial = tried(case, prepared, None, options)?;
-    let (design, draws) = (trial.plan.design, whole(prepared.draws));
+    let (design, draws) = (trial.subject.design(&trial.plan), whole(prepared.draws));
     let aim = Aim::of(prepared, design);
     let full = Outcome::of(&trial, draws, aim.family());
     let silent = Outcome::of(&trial, draws, 0).silent();
@@ -99,8 +100,8 @@ impl Found {
             case: case.case.title.clone(),
             ray: case.ray,
             subject: prepared.name.clone(),
-            estimator: prepared.estimator().into(),
-            kind: prepared.kind().into(),
+            estimator: prepared.spec.estimator().into(),
+            kind: prepared.spec.kind().into(),
             fault: prepared.faults.iter().map(words).collect::<Vec<_>>().join(" + "),
             medium: words(&case.case.medium),
             role: self.aim.role,

@@ -1,18 +1,20 @@
 use super::Cancelled;
-use crate::agree::agree;
+use crate::agree::{Compared, agree};
 use crate::case::PreparedSubject;
-use crate::collect::{Collected, Stopped, Watch};
-use crate::plan::Plan;
+use crate::collect::{Stopped, Watch};
+use crate::experiment::Plan;
 use crate::subject::Subject;
 use freepath_results::Reason;
-use freepath_statistics::{Fact, Judged};
+use freepath_statistics::Fact;
+use freepath_statistics::Judged;
+use freepath_statistics::fold::Tallies;
 use std::ops::Range;
 
 /// One stage of a subject, for its agreements.
 pub(super) struct Settings<'a> {
     pub(super) prepared: &'a PreparedSubject,
     pub(super) subject: &'a Subject<'a>,
-    pub(super) plan: &'a Plan,
+    pub(super) plan: &'a Plan<'a>,
     pub(super) seed: u64,
 }
 
@@ -20,14 +22,14 @@ impl Settings<'_> {
     /// Draws the subject in each of its other settings and compares it with `own`.
     pub(super) fn agree(
         &self,
-        own: &Collected,
+        own: &Tallies,
         blocks: &Range<u64>,
         watch: &Watch,
         judged: &mut Judged,
     ) -> Result<(), Cancelled> {
         for variant in &self.prepared.variants {
             match agree(self.subject, self.plan, variant, own, self.seed, blocks.clone(), watch) {
-                Ok((evidence, facts)) => {
+                Ok(Compared { evidence, facts }) => {
                     if evidence.p.is_none() {
                         let why = format!("{}: {}", evidence.name, evidence.note);
                         judged.gates.push((Reason::HeavyTail, why));

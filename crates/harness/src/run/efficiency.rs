@@ -1,20 +1,20 @@
 //! Efficiency of each transmittance estimator, and the ranking of those of one medium.
 
 use super::Trial;
-use crate::plan::MeanPlan;
 use crate::ranking::{Comparison, RANKING_LEVEL, Standing, Work, compare, ranks, standing};
 use freepath_results::{Efficiency, Ranked, RankedPair, Ranking, Real, Reason, Refused, SubjectResult, Verdict};
-use freepath_statistics::tally::PowerSums;
+use freepath_statistics::claim::Contender;
 
 /// Relative variance with a 95 % interval, and whether it is ranked; none for what has no mean.
 pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> {
-    let (plan, sums) = mean(trial)?;
-    let (t, bias) = (plan.truth.expected, plan.design_bias());
+    let contender = contender(trial)?;
+    let Contender { sums, design_bias: bias, .. } = &contender;
+    let t = contender.truth.expected;
     let variance = (sums.variance() + bias * bias) / (t * t);
-    let standing = of(trial, verdict)?;
+    let standing = place(trial, &contender, verdict);
     let error = match &standing {
         Standing::Ranked(work) => work.error,
-        _ => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
+        Standing::Exact | Standing::Refused(_) => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
     };
     let (exact, factor) = (standing == Standing::Exact, libm::exp(1.96 * error));
     let refusal = match &standing {
@@ -32,41 +32,33 @@ pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> 
     })
 }
 
-fn mean<'a>(trial: &'a Trial) -> Option<(&'a MeanPlan, PowerSums)> {
-    trial.plan.mean.as_ref().zip(trial.first.collected.as_ref()?.mean)
+fn contender<'a>(trial: &'a Trial) -> Option<Contender<'a>> {
+    trial.plan.claims.contender(&trial.first.collected.as_ref()?.tallies)
 }
 
-/// Whether a transmittance estimator can be ranked; none for other kinds.
-fn of(trial: &Trial, verdict: Verdict) -> Option<Standing> {
-    let ((plan, sums), seen) = (mean(trial)?, trial.first.collected.as_ref()?);
-    let t = plan.truth.expected;
+/// Whether an estimator can be ranked.
+fn place(trial: &Trial, contender: &Contender, verdict: Verdict) -> Standing {
+    let Contender { sums, truth, design_bias, kurtosis, lookups, batches } = contender;
+    let t = truth.expected;
     // draws that are all 0 because none has hit are not exact
     let exact = sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
     let gated = |reason| trial.first.judged.gates.iter().any(|gate| gate.0 == reason);
     let refused = |why: &str| Standing::Refused(why.into());
-    Some(match () {
-        () if !(plan.design_bias().abs() <= 1e-12 * t) => {
-            refused("biased by design: mean squared error, not ranked")
-        }
-        () if !trial.prepared.faults.is_empty() => refused("carries a planted fault"),
-        () if verdict == Verdict::Fail => refused("failed"),
-        () if exact => Standing::Exact,
-        () if gated(Reason::RareEvent) => refused("dominated by rare events"),
-        () if gated(Reason::HeavyTail) => refused("a tail too heavy for its mean"),
-        () => standing(&sums, &seen.counts.lookups, &seen.batches, plan.truth.variance, kurtosis(plan)),
-    })
-}
-
-/// The kurtosis by formula, where one is known and cancellation leaves it digits.
-fn kurtosis(plan: &MeanPlan) -> Option<f64> {
-    let pq = plan.truth.expected * (1.0 - plan.truth.expected);
-    if plan.truth.binary {
-        return Some((1.0 - 3.0 * pq) / pq).filter(|k| k.is_finite());
+    if !(design_bias.abs() <= 1e-12 * t) {
+        refused("biased by design: mean squared error, not ranked")
+    } else if !trial.prepared.faults.is_empty() {
+        refused("carries a planted fault")
+    } else if verdict == Verdict::Fail {
+        refused("failed")
+    } else if exact {
+        Standing::Exact
+    } else if gated(Reason::RareEvent) {
+        refused("dominated by rare events")
+    } else if gated(Reason::HeavyTail) {
+        refused("a tail too heavy for its mean")
+    } else {
+        standing(sums, lookups, batches, truth.variance, *kurtosis)
     }
-    let [m1, m2, m3, m4, ..] = plan.moments?;
-    let variance = m2 - m1 * m1;
-    let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1 * m1 * m1 * m1;
-    Some(fourth / (variance * variance)).filter(|_| variance > 1e-6 * m1 * m1)
 }
 
 /// One ranking for each medium with estimators of its transmittance.
@@ -91,13 +83,12 @@ fn ranking<'a>(
 ) -> Option<Ranking> {
     let (mut entries, mut exact, mut refused) = (Vec::new(), Vec::new(), Vec::new());
     for (trial, result) in of_medium {
-        let (id, mean) = (result.id.clone(), trial.plan.mean.as_ref());
-        let scale = mean.map_or(0.0, |mean| 2.0 * libm::log(mean.truth.expected));
-        match of(trial, result.verdict) {
-            Some(Standing::Ranked(work)) => entries.push(Entry { id, work, scale }),
-            Some(Standing::Exact) => exact.push(id),
-            Some(Standing::Refused(why)) => refused.push(Refused { id, why }),
-            None => (),
+        let Some(contender) = contender(trial) else { continue };
+        let (id, scale) = (result.id.clone(), 2.0 * libm::log(contender.truth.expected));
+        match place(trial, &contender, result.verdict) {
+            Standing::Ranked(work) => entries.push(Entry { id, work, scale }),
+            Standing::Exact => exact.push(id),
+            Standing::Refused(why) => refused.push(Refused { id, why }),
         }
     }
     let empty = entries.is_empty() && exact.is_empty() && refused.is_empty();

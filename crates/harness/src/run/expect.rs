@@ -1,6 +1,6 @@
 use crate::fault::Expectation;
-use crate::plan::Design;
 use freepath_results::{Reason, Verdict};
+use freepath_statistics::claim::Design;
 use freepath_statistics::decide::Decision;
 
 /// What was expected, in words; whether it was computed; and whether the decision is as expected.

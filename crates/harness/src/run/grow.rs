@@ -10,15 +10,14 @@
 use super::Cancelled;
 use crate::blocks::{GROWTH, GROWTH_OF_STAGE_TWO};
 use crate::collect::{Collected, Stopped, Watch, collect};
-use crate::judge::judge;
-use crate::plan::Plan;
+use crate::experiment::Plan;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, GrownOutcome, Real, Reason};
-use freepath_statistics::{Evidence, Fact, Judged};
-
-mod question;
-
-use question::{Look, Question};
+use freepath_statistics::Judged;
+use freepath_statistics::claim::{Asked, InterimLook, SequentialTest};
+use freepath_statistics::fold::Folds;
+use freepath_statistics::{Evidence, Fact};
+use std::ops::Range;
 
 /// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
 const REJECTED: f64 = 1e-8;
@@ -38,30 +37,25 @@ impl Growth<'_> {
     pub(super) fn towards_bound(
         &self,
         subject: &Subject,
-        plan: &mut Plan,
+        plan: &Plan,
         first: &Collected,
         judged: &mut Judged,
     ) -> Result<Option<Grown>, Cancelled> {
-        let Some(mut question) = Question::of(subject, plan) else { return Ok(None) };
+        let Some(mut test) = test(subject, plan) else { return Ok(None) };
         let (mut seen, mut at) = (first.clone(), GROWTH);
         loop {
-            let look = question.look(plan, &seen);
-            let outcome = match () {
-                () if rejected_already(judged) || !(look.p > REJECTED) => GrownOutcome::Rejected,
-                () if look.bound <= question.target() => GrownOutcome::Proven,
-                () if 2 * seen.draws > subject.budget || subject.work.finished() => GrownOutcome::BudgetEnded,
-                () => {
-                    let blocks = Subject::blocks(seen.draws);
-                    question.bet(plan, &seen);
-                    match self.more(subject, plan, at..at + blocks, judged)? {
-                        Some(more) => seen.merge(more),
-                        None => return Ok(None),
-                    }
-                    at += blocks;
-                    continue;
+            let (look, draws) = (test.look(&seen.tallies), seen.tallies.draws);
+            let Some(outcome) = outcome(subject, &test, &look, draws, judged) else {
+                let blocks = Subject::blocks(draws);
+                let folds = test.next(&plan.claims.folds, &seen.tallies);
+                match self.more(subject, plan, &folds, at..at + blocks, judged)? {
+                    Some(more) => seen.extend(&folds, &more),
+                    None => return Ok(None),
                 }
+                at += blocks;
+                continue;
             };
-            return Ok(Some(close(outcome, &look, &question, seen.draws, judged)));
+            return Ok(Some(close(outcome, &look, &test, draws, judged)));
         }
     }
 
@@ -69,27 +63,27 @@ impl Growth<'_> {
     pub(super) fn confirm(
         &self,
         subject: &Subject,
-        plan: &mut Plan,
+        plan: &Plan,
         second: Collected,
         most: u64,
         judged: &mut Judged,
     ) -> Result<u64, Cancelled> {
         let (mut seen, mut at) = (second, GROWTH_OF_STAGE_TWO);
-        let Some(mut question) = Question::of(subject, plan) else { return Ok(seen.draws) };
+        let Some(mut test) = test(subject, plan) else { return Ok(seen.tallies.draws) };
         loop {
-            let look = question.look(plan, &seen);
-            let fresh = if subject.work.finished() { 0 } else { most.saturating_sub(seen.draws) };
+            let (look, draws) = (test.look(&seen.tallies), seen.tallies.draws);
+            let fresh = if subject.finished() { 0 } else { most.saturating_sub(draws) };
             let left = Subject::blocks(fresh);
             if !(look.p > REJECTED) || left == 0 {
-                judged.evidence.push(look.evidence(&question, seen.draws));
-                return Ok(seen.draws);
+                judged.evidence.push(test.evidence(&look, draws));
+                return Ok(draws);
             }
-            let double = Subject::blocks(seen.draws);
+            let double = Subject::blocks(draws);
             let blocks = if left < double { left } else { double };
-            question.bet(plan, &seen);
-            match self.more(subject, plan, at..at + blocks, judged)? {
-                Some(more) => seen.merge(more),
-                None => return Ok(seen.draws),
+            let folds = test.next(&plan.claims.folds, &seen.tallies);
+            match self.more(subject, plan, &folds, at..at + blocks, judged)? {
+                Some(more) => seen.extend(&folds, &more),
+                None => return Ok(draws),
             }
             at += blocks;
         }
@@ -100,13 +94,14 @@ impl Growth<'_> {
         &self,
         subject: &Subject,
         plan: &Plan,
-        blocks: std::ops::Range<u64>,
+        folds: &Folds,
+        blocks: Range<u64>,
         judged: &mut Judged,
     ) -> Result<Option<Collected>, Cancelled> {
         (self.planned)((blocks.end - blocks.start) * BLOCK as u64);
-        match collect(subject, plan, self.seed, blocks, self.watch) {
+        match collect(subject, folds, self.seed, blocks, self.watch) {
             Ok(more) => {
-                judged.facts.extend(judge(subject, plan, &more).facts);
+                judged.facts.extend(plan.claims.judge(&more.tallies).facts);
                 Ok(Some(more))
             }
             Err(Stopped::Cancelled) => Err(Cancelled),
@@ -115,6 +110,31 @@ impl Growth<'_> {
                 Ok(None)
             }
         }
+    }
+}
+
+/// The test that the draws grow under; none if the case asks for no bound, or for one that no claim can be held to.
+fn test<'a>(subject: &Subject, plan: &'a Plan) -> Option<SequentialTest<'a>> {
+    let asked = Asked { bound: subject.bias_bound?, draws: subject.draws, budget: subject.budget };
+    plan.claims.sequential(&asked)
+}
+
+/// How growth ends at these draws; none if it goes on.
+fn outcome(
+    subject: &Subject,
+    test: &SequentialTest,
+    look: &InterimLook,
+    draws: u64,
+    judged: &Judged,
+) -> Option<GrownOutcome> {
+    if rejected_already(judged) || !(look.p > REJECTED) {
+        Some(GrownOutcome::Rejected)
+    } else if look.bound <= test.target() {
+        Some(GrownOutcome::Proven)
+    } else if 2 * draws > subject.budget || subject.finished() {
+        Some(GrownOutcome::BudgetEnded)
+    } else {
+        None
     }
 }
 
@@ -134,9 +154,15 @@ fn rejected_already(judged: &Judged) -> bool {
 }
 
 /// Notes the outcome in `judged`: its evidence, and a gate if the bound is not proven.
-fn close(outcome: GrownOutcome, look: &Look, question: &Question, draws: u64, judged: &mut Judged) -> Grown {
-    let (target, bound) = (question.asked(), question.with_slack(look.bound));
-    let after = format!("{} <= {bound:.2e} after {draws} draws, {target:.2e} was asked for", question.what());
+fn close(
+    outcome: GrownOutcome,
+    look: &InterimLook,
+    test: &SequentialTest,
+    draws: u64,
+    judged: &mut Judged,
+) -> Grown {
+    let (target, bound) = (test.asked, test.with_slack(look.bound));
+    let after = format!("{} <= {bound:.2e} after {draws} draws, {target:.2e} was asked for", test.what);
     let note = match outcome {
         GrownOutcome::Proven => format!("proven: {after}"),
         GrownOutcome::Rejected => format!("rejected after {draws} draws"),
@@ -149,7 +175,7 @@ fn close(outcome: GrownOutcome, look: &Look, question: &Question, draws: u64, ju
         (GrownOutcome::BudgetEnded, Some((reason, why))) => Some((*reason, format!("growth: {note}; {why}"))),
     };
     judged.gates.extend(gate);
-    judged.evidence.push(look.evidence(question, draws));
+    judged.evidence.push(test.evidence(look, draws));
     let method = look.method.to_string();
     Grown { draws, outcome, target: Real(target), bound: Real(bound), p: Real(look.p), method, note }
 }

@@ -1,5 +1,5 @@
-use crate::case::{Prepared, World};
-use freepath_estimators::{Extinction, Medium};
+use crate::case::Prepared;
+use freepath_estimators::Medium;
 use freepath_results::{MediumResult, MediumSeries, Real};
 
 /// Points of a medium's plot.
@@ -8,22 +8,14 @@ const POINTS: usize = 300;
 /// What the results say of the medium of a case.
 #[must_use]
 pub fn medium_result(case: &Prepared) -> MediumResult {
-    let (length, tau, extrema, series) = match &case.world {
-        World::Grey(medium) => {
-            let length = medium.length();
-            (length, vec![Real(medium.tau(length))], medium.extrema(0.0, length), vec![series(medium)])
-        }
-        World::Chromatic(medium) => {
-            let length = medium.length();
-            let media: Vec<_> = medium.media().iter().map(|(channel, _)| channel).collect();
-            let mus = media.iter().map(|channel| channel.mu(0.0));
-            let extrema = mus.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), mu| {
-                (if mu < low { mu } else { low }, if mu > high { mu } else { high })
-            });
-            let tau = media.iter().map(|channel| Real(channel.tau(length))).collect();
-            (length, tau, extrema, media.iter().map(|channel| series(*channel)).collect())
-        }
-    };
+    let views = case.scene.views();
+    let length = views.first().map_or(0.0, |view| view.medium.length());
+    let extrema = views.iter().map(|view| view.medium.extrema(0.0, length));
+    let extrema = extrema.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), (low, high)| {
+        (if low < least { low } else { least }, if high > most { high } else { most })
+    });
+    let tau = views.iter().map(|view| Real(view.medium.tau(length))).collect();
+    let series = views.iter().map(|view| series(view.medium)).collect();
     let parameters = serde_json::to_value(&case.case.medium).unwrap_or_default();
     MediumResult {
         file: case.file.clone(),

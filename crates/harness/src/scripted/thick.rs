@@ -3,19 +3,15 @@
 
 use super::{Findings, Scripted};
 use crate::blocks::SCRIPTS;
-use crate::plan::Plan;
-use crate::sample::{columns, sample_from};
-use crate::subject::{Scene, Subject, Work};
+use crate::experiment::Experiment;
+use crate::sample::sample_from;
+use crate::subject::Subject;
 use freepath_draws::{Draws, Key, Streams};
-use freepath_estimators::Medium;
-use freepath_estimators::medium::{ChromaticMedium, scaled};
 use freepath_results::Reason;
+use freepath_statistics::claim::Finding;
 
 /// exp(-1000) is 0.
 const DEPTH: f64 = 1000.0;
-
-/// Tentative collisions under the thick medium's majorants at the most.
-const MOST_COLLISIONS: f64 = 50.0 * DEPTH;
 
 /// Most look-ups of one method, for walks through vacuum under a thick majorant: the first positions come first.
 const MOST_LOOKUPS: u64 = 100_000;
@@ -28,39 +24,17 @@ const POSITIONS: usize = 3;
 
 /// Escapes of a sampler from its own medium made thick. Not asked of one that is biased by design, nor of one that does not
 /// heed the medium: one that draws the same distances in both, or escapes from the thick one under a real stream.
-pub(super) fn escapes(subject: &Subject, plan: &Plan, seed: u64) -> Findings {
-    let by_design = plan.law.as_ref().is_none_or(|law| law.own.is_some());
-    match (subject.work, subject.scene) {
-        _ if by_design => Findings::default(),
-        (Work::FreePath(_), Scene::Grey { truth, seen }) => grey(subject, truth, seen, seed).unwrap_or_default(),
-        (Work::Chromatic(_), Scene::Chromatic(medium)) => chromatic(subject, medium, seed).unwrap_or_default(),
-        _ => Findings::default(),
-    }
+pub(super) fn escapes(subject: &Subject, seed: u64) -> Findings {
+    let mut found = Findings::default();
+    let mut run = |experiment: &dyn Experiment| found = in_thick(subject, experiment, seed).unwrap_or_default();
+    subject.experiment.in_thick(&subject.terms(), DEPTH, &mut run);
+    found
 }
 
-fn grey(subject: &Subject, truth: &dyn Medium, seen: &dyn Medium, seed: u64) -> Option<Findings> {
-    let by = DEPTH / truth.tau(truth.length());
-    if !(by.is_finite() && by * seen.majorants().depth(seen.length()) <= MOST_COLLISIONS) {
-        return None;
-    }
-    let (truth, seen) = (scaled(by, truth).ok()?, scaled(by, seen).ok()?);
-    let Work::FreePath(sampler) = subject.work else { return None };
-    sampler.accepts(&seen).ok()?;
-    in_thick(subject, Scene::Grey { truth: &truth, seen: &seen }, seed)
-}
-
-fn chromatic(subject: &Subject, medium: &ChromaticMedium, seed: u64) -> Option<Findings> {
-    let rates = medium.media().iter().map(|(channel, _)| channel.tau(medium.length()));
-    let thinnest = rates.fold(f64::INFINITY, |least, tau| if tau < least { tau } else { least });
-    let by = DEPTH / thinnest;
-    let thick = if by.is_finite() { medium.with(by, medium.length()).ok()? } else { return None };
-    in_thick(subject, Scene::Chromatic(&thick), seed)
-}
-
-fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
-    let thick = Subject { scene, ..subject.clone() };
+fn in_thick(subject: &Subject, experiment: &dyn Experiment, seed: u64) -> Option<Findings> {
+    let thick = Subject { experiment, ..subject.clone() };
     let key = |i: u64| Key { seed, subject: subject.key, block: SCRIPTS + 1000 + i };
-    let (mut own, mut draws) = (columns(subject, ROWS), columns(&thick, ROWS));
+    let (mut own, mut draws) = (subject.experiment.columns(ROWS), experiment.columns(ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;
     if escaped(&draws) || own.t.iter().zip(&draws.t).any(|(a, b)| a.to_bits() == b.to_bits()) {
@@ -71,8 +45,8 @@ fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
         let streams = Streams::new(key(1 + i as u64)).scripted(scripted.script.clone());
         let Ok(record) = sample_from(&thick, streams, &mut draws) else { break };
         if escaped(&draws) {
-            let why = format!("an escape from a medium of optical depth {DEPTH}, where a finite distance is due");
-            found.add(&scripted, Some((Reason::NonFinite, why)));
+            let what = format!("an escape from a medium of optical depth {DEPTH}, where a finite distance is due");
+            found.add(&scripted, Some(Finding { reason: Reason::NonFinite, what }));
         }
         lookups += record.audit.lookups;
         if lookups > MOST_LOOKUPS {

@@ -1,21 +1,21 @@
 //! What is soaked: subjects whose claims hold.
 
 use crate::case::{Prepared, PreparedSubject};
-use crate::collect::{Stopped, Watch, collect};
+use crate::collect::{Stopped, Watch, observe};
+use crate::experiment::Plan;
 use crate::fault::Expectation;
-use crate::judge::judge;
-use crate::plan::Plan;
 use crate::run::{Cancelled, id};
 use crate::subject::Subject;
 use freepath_results::Reason;
 use freepath_statistics::Judged;
+use freepath_statistics::claim::Design;
 use std::ops::Range;
 
 /// A right subject with its plan, made once for all runs.
 pub(super) struct Trial<'a> {
     pub(super) id: String,
     pub(super) subject: Subject<'a>,
-    plan: Plan,
+    plan: Plan<'a>,
 }
 
 /// Every subject without a fault that is not stated to fail. Finished files are left out: they hold the same draws for every
@@ -24,8 +24,8 @@ pub(super) fn right(cases: &[Prepared]) -> Vec<Trial<'_>> {
     let mut all = Vec::new();
     for case in cases {
         for prepared in case.subjects.iter().filter(|prepared| sound(prepared)) {
-            let subject = prepared.runnable(&case.world, &case.case);
-            let plan = Plan::of(&subject);
+            let subject = prepared.runnable(&case.case);
+            let plan = subject.plan();
             all.push(Trial { id: id(case, prepared), subject, plan });
         }
     }
@@ -52,13 +52,12 @@ impl Trial<'_> {
     /// The evidence of some blocks, of the claims that hold: a subject that is biased by design is held to its own law or mean
     /// alone.
     pub(super) fn judged(&self, seed: u64, blocks: Range<u64>, watch: &Watch) -> Result<Judged, Cancelled> {
-        let mut judged = match collect(&self.subject, &self.plan, seed, blocks, watch) {
-            Ok(seen) => judge(&self.subject, &self.plan, &seen),
+        let mut judged = match observe(&self.subject, &self.plan, seed, blocks, watch) {
+            Ok(seen) => self.plan.claims.judge(&seen.tallies),
             Err(Stopped::Cancelled) => return Err(Cancelled),
             Err(Stopped::Subject(why)) => Judged::broken(why),
         };
-        let law = self.plan.law.as_ref().is_some_and(|law| law.own.is_some());
-        if law || self.plan.mean.as_ref().is_some_and(|mean| mean.own.is_some()) {
+        if self.plan.claims.design(self.subject.draws) != Design::Unbiased {
             judged.evidence.retain(|evidence| evidence.reason != Reason::Biased);
         }
         Ok(judged)

@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection, SampledChannels, Target};
 use freepath_draws::Draws;
 use freepath_estimators::claims::Channel;
 
@@ -28,7 +28,7 @@ impl Injection for ChannelPdf {
         target.has_channel(self.channel)
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let channels = medium.channels();
         for row in 0..draws.rows {
             let t = draws.t[row];

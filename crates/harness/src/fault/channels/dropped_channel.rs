@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection, SampledChannels, Target};
 use freepath_draws::Draws;
 
 /// A transparent channel is never drawn, and what it should carry is left to the rare escapes of the others (Cycles, commit
@@ -51,7 +51,7 @@ impl Injection for DroppedChannel {
         if clear { Ok(()) } else { Err(format!("channel {} must be transparent", self.channel)) }
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let (channels, mut rng) = (medium.channels(), context.rng());
         let mut weights: Vec<f64> = vec![0.0; channels.len()];
         for row in 0..draws.rows {

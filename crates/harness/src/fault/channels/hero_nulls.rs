@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection, SampledChannels, Target};
 use freepath_draws::Draws;
 
 /// Null collisions are chosen by the sampling channel's probability alone (Mitsuba 3, issues 1387 and 1628).
@@ -20,7 +20,7 @@ impl Injection for HeroNulls {
         target.is_one_of(&["single_channel"])
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((_, medium)) = context.chromatic() else { return };
+        let Some(SampledChannels { medium, .. }) = context.drawn.channels else { return };
         let channels = medium.channels();
         let mu = |k: usize| channels[k].extinction.mu(0.0);
         let densest = (0..channels.len()).fold(0, |most, k| if mu(k) > mu(most) { k } else { most });

@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection, SampledChannels, Target};
 use freepath_draws::Draws;
 use freepath_draws::random::{exponential, uniform};
 
@@ -20,7 +20,7 @@ impl Injection for SampledDepth {
         target.is_one_of(&["balance"])
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let channels = medium.channels();
         let Some(mixture) = sampler.claims(&channels).mixture else { return };
         let (length, mut rng) = (medium.length(), context.rng());

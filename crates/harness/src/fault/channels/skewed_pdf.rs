@@ -1,5 +1,5 @@
 use super::channel_pdf::density;
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection, SampledChannels, Target};
 use freepath_draws::Draws;
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::positive;
@@ -30,7 +30,7 @@ impl Injection for SkewedPdf {
         target.has_channel(self.channel)
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let channels = medium.channels();
         let Some(mixture) = sampler.claims(&channels).mixture else { return };
         for row in 0..draws.rows {

@@ -1,5 +1,4 @@
 use crate::fault::{BlockContext, Injection, Target};
-use crate::scene::Scene;
 use freepath_draws::Draws;
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::not_negative;
@@ -26,7 +25,7 @@ impl Injection for AbsorbedTwice {
         target.is_a("transmittance")
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        if let Scene::Grey { truth, .. } = context.scene {
+        if let Some(truth) = context.drawn.medium {
             let factor = libm::exp(-self.mu_a * truth.length());
             draws.weight.iter_mut().for_each(|weight| *weight *= factor);
         }

@@ -1,15 +1,14 @@
 //! Draws that come in one after another: they are read by one thread at a time and folded by all.
 
-use super::worker::{BlockSums, Worker, Workers};
-use super::{Collected, FIRST_BLOCKS, Stopped, WAVE, Watch};
-use crate::plan::Plan;
+use super::worker::{BlockParts, Drawn, Worker, Workers};
+use super::{Collected, Stopped, WAVE, Watch};
 use crate::samples::{Rows, SampleSource, Wanted};
-use crate::subject::{BLOCK, Subject, Work};
+use crate::subject::{BLOCK, Subject};
 use freepath_draws::Draws;
 use freepath_statistics::Fact;
+use freepath_statistics::fold::Folds;
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
@@ -20,7 +19,7 @@ struct Reader<'a> {
 }
 
 /// A block, or why it could not be read.
-type Read = Result<BlockSums, (u64, String)>;
+type Read = Result<BlockParts, (u64, String)>;
 
 impl Reader<'_> {
     /// The number of the next block and the seconds that it took to read; none at the end.
@@ -53,20 +52,21 @@ fn resize(draws: &mut Draws, rows: usize) {
 
 impl Worker {
     /// The next block, whichever it is.
-    fn take(&mut self, plan: &Plan, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
+    fn take(&mut self, folds: &Folds, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
         let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
-        Some(next.map(|(block, seconds)| self.tally(plan, block, block - first < FIRST_BLOCKS, seconds)))
+        let drawn = |(number, seconds)| Drawn { number, nth: number - first, audit: None, seconds };
+        Some(next.map(|read| self.tally(folds, &drawn(read))))
     }
 }
 
 /// Whoever is cancelled may well fail.
 fn failed(why: String, watch: &Watch) -> Stopped {
-    if watch.cancelled.load(Ordering::Relaxed) { Stopped::Cancelled } else { Stopped::Subject(why) }
+    if watch.is_cancelled() { Stopped::Cancelled } else { Stopped::Subject(why) }
 }
 
 /// What a few draws tell before any stage, of a subject whose draws are made elsewhere.
 pub(crate) fn rehearse(subject: &Subject, seed: u64, watch: &Watch) -> Result<Vec<Fact>, Stopped> {
-    let Work::Samples(_, source) = subject.work else { return Ok(Vec::new()) };
+    let Some(source) = subject.experiment.external() else { return Ok(Vec::new()) };
     let wanted = Wanted { seed, subject: subject.key, blocks: 0..0, cancelled: watch.cancelled };
     source.rehearse(&wanted).map_err(|why| failed(why, watch))
 }
@@ -76,36 +76,36 @@ pub(crate) fn rehearse(subject: &Subject, seed: u64, watch: &Watch) -> Result<Ve
 pub(super) fn collect(
     source: &dyn SampleSource,
     subject: &Subject,
-    plan: &Plan,
+    folds: &Folds,
     seed: u64,
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Collected, Stopped> {
     let wanted = Wanted { seed, subject: subject.key, blocks: blocks.clone(), cancelled: watch.cancelled };
     let rows = source.open(&wanted).map_err(|why| failed(why, watch))?;
-    let (workers, mut collected) = (Workers::new(), Collected::new(plan));
+    let (workers, mut collected) = (Workers::new(), Collected::new(folds));
     let reader = Mutex::new(Reader { rows, blocks: blocks.clone() });
-    let cancelled = || watch.cancelled.load(Ordering::Relaxed);
-    let take = |_| match cancelled() {
-        true => None,
-        false => workers.with(subject, plan, |worker| worker.take(plan, &reader, blocks.start)),
+    let take = |_| {
+        if watch.is_cancelled() {
+            return None;
+        }
+        workers.with(subject, folds, |worker| worker.take(folds, &reader, blocks.start))
     };
     loop {
         let mut wave: Vec<Read> = (0..WAVE).into_par_iter().filter_map(take).collect();
-        if cancelled() {
+        if watch.is_cancelled() {
             return Err(Stopped::Cancelled);
         }
-        wave.sort_by_key(|read| read.as_ref().map_or_else(|(block, _)| *block, |sums| sums.block));
-        let (before, full) = (collected.draws, wave.len() as u64 == WAVE);
+        wave.sort_by_key(|read| read.as_ref().map_or_else(|(block, _)| *block, |block| block.number));
+        let (before, full) = (collected.tallies.draws, wave.len() as u64 == WAVE);
         for read in wave {
-            collected.fold(&read.map_err(|(_, why)| Stopped::Subject(why))?);
+            collected.fold(folds, &read.map_err(|(_, why)| Stopped::Subject(why))?);
         }
-        (watch.progress)(collected.draws - before);
+        (watch.progress)(collected.tallies.draws - before);
         if !full {
             break;
         }
     }
-    collected.counts = workers.counts().unwrap_or_default();
-    collected.fit_tails();
+    workers.count(folds, &mut collected.tallies);
     Ok(collected)
 }

@@ -1,5 +1,6 @@
-use super::super::{CaseFile, FreePathSubject};
-use super::{Brought, ListError, Listing, Lists};
+use super::super::{CaseFile, External, Named};
+use super::{ListError, Listing, Lists};
+use crate::kind::FreePathKind;
 use freepath_estimators::free_path::{AnyFreePath, DeltaTracking};
 use freepath_estimators::{FreePathSampler, list};
 use serde_json::json;
@@ -29,9 +30,9 @@ list! {
 
 #[test]
 fn a_name_can_be_listed_once() {
-    let built_in = Lists::default().free_path::<Samplers>().free_path::<AnyFreePath>().install().unwrap_err();
+    let built_in = Lists::default().list::<Samplers>().list::<AnyFreePath>().install().unwrap_err();
     assert!(matches!(built_in, ListError::Taken { kind: "free_path", name: "delta_tracking", .. }), "{built_in}");
-    let twice = Lists::default().free_path::<Samplers>().free_path::<Samplers>().install().unwrap_err();
+    let twice = Lists::default().list::<Samplers>().list::<Samplers>().install().unwrap_err();
     let told = twice.to_string();
     assert!(told.starts_with("cannot list the free_path subject `never`: the name is taken"), "{told}");
     assert!(told.ends_with("`regular_tracking`, `never`)"), "{told}");
@@ -39,15 +40,15 @@ fn a_name_can_be_listed_once() {
 
 #[test]
 fn lists_come_before_the_first_case_or_not_at_all() {
-    assert!(!FreePathSubject::names().contains(&"never"));
-    let late = Lists::default().free_path::<Samplers>().install();
+    assert!(!Named::<FreePathKind>::names().contains(&"never"));
+    let late = Lists::default().list::<Samplers>().install();
     assert_eq!(late, Err(ListError::TooLate));
 }
 
 #[test]
-fn a_brought_subject_is_written_as_it_is_read() {
-    let listing = Listing::<dyn FreePathSampler>::new::<Samplers>();
-    let read: Brought<_> = (listing.read)("never", json!({ "of": 3 })).unwrap();
+fn an_external_subject_is_written_as_it_is_read() {
+    let listing = Listing::<FreePathKind>::new::<Samplers>();
+    let read: External<FreePathKind> = (listing.read)("never", json!({ "of": 3 })).unwrap();
     assert_eq!(serde_json::to_value(&read).unwrap(), json!({ "never": { "of": 3 } }));
     assert_eq!(read, read.clone());
     assert_ne!(read, (listing.read)("never", json!({})).unwrap());
@@ -63,6 +64,6 @@ fn a_subject_has_one_name() {
         let told = CaseFile::parse(Path::new("two.json"), text).unwrap_err().to_string();
         assert!(told.contains("more than one name") && told.contains("at subjects[0].free_path"), "{told}");
     }
-    let one = serde_json::from_value::<FreePathSubject>(json!({ "delta_tracking": {} })).unwrap();
-    assert_eq!(one, FreePathSubject::Listed(AnyFreePath::DeltaTracking(DeltaTracking::default())));
+    let one = serde_json::from_value::<Named<FreePathKind>>(json!({ "delta_tracking": {} })).unwrap();
+    assert_eq!(one, Named::Listed(AnyFreePath::DeltaTracking(DeltaTracking::default())));
 }

@@ -1,0 +1,198 @@
+//! A subject of a case, whichever its kind, made ready to run.
+
+use super::command::Command;
+use super::named::Named;
+use super::surroundings::Place;
+use super::{CaseError, CaseFile, Origin, SubjectSpec};
+use crate::agree::{Agreement, Variant};
+use crate::experiment::{Experiment, Owned, Placed, PlacedSource};
+use crate::kind::{Kind, Outline, Refusal};
+use crate::samples::SampleKind;
+use crate::scene::Scene;
+use std::sync::Arc;
+
+/// A [`Named`] without its kind.
+pub(crate) trait AnyNamed {
+    /// The name of its kind.
+    fn kind(&self) -> &'static str;
+    /// Its own name.
+    fn name(&self) -> &'static str;
+    /// Name and parameters.
+    fn json(&self) -> serde_json::Value;
+    /// Whether its draws may grow towards a bound on the bias.
+    fn grows(&self) -> bool;
+    /// The file that it is, if it is one.
+    fn samples(&self) -> Option<&dyn AnySamples>;
+    /// The program that it is, if it is one, and the rows that it writes.
+    fn command(&self) -> Option<(SampleKind, &Command)>;
+    /// The subject in its scene.
+    fn ready(&self, context: &Preparing) -> Result<Ready, CaseError>;
+}
+
+/// A file of samples without its kind.
+pub(crate) use super::samples::AnySamples;
+
+/// Where a subject stands while it is made ready.
+pub(crate) struct Preparing<'a> {
+    pub(super) file: &'a CaseFile,
+    /// Its place in the file.
+    pub(super) at: String,
+    pub(super) spec: &'a SubjectSpec,
+    pub(super) scene: &'a dyn Scene,
+    pub(super) place: &'a Place<'a>,
+}
+
+/// A subject in its scene, and in the other settings in which it must agree with itself.
+pub(crate) struct Ready {
+    pub(super) experiment: Box<dyn Experiment>,
+    pub(super) variants: Vec<Variant<'static>>,
+    /// Where its draws come from, if they are made elsewhere.
+    pub(super) source: Option<Arc<Origin>>,
+}
+
+impl<K: Kind> AnyNamed for Named<K> {
+    fn kind(&self) -> &'static str {
+        K::NAME
+    }
+    fn name(&self) -> &'static str {
+        self.name()
+    }
+    fn json(&self) -> serde_json::Value {
+        serde_json::to_value(self).unwrap_or_default()
+    }
+    fn grows(&self) -> bool {
+        K::GROWS
+    }
+    fn samples(&self) -> Option<&dyn AnySamples> {
+        match self {
+            Self::Samples(samples) => Some(samples),
+            Self::Control(_) | Self::Command(_) | Self::Listed(_) | Self::External(_) => None,
+        }
+    }
+    fn command(&self) -> Option<(SampleKind, &Command)> {
+        match self {
+            Self::Command(command) => Some((K::PROGRAM, command)),
+            Self::Control(_) | Self::Samples(_) | Self::Listed(_) | Self::External(_) => None,
+        }
+    }
+    fn ready(&self, context: &Preparing) -> Result<Ready, CaseError> {
+        let majorant = context.spec.majorant.as_ref();
+        let truth = || K::place(context.scene, majorant).map_err(|why| context.refusal(K::NAME, why));
+        let own = truth()?;
+        let outline = K::outline(&own);
+        let source = context.source(self, &outline)?.map(Arc::new);
+        context.check_faults(self, &outline)?;
+        let sampler = self.sampler();
+        let seen = context.see::<K>(truth()?, sampler.as_ref())?;
+        if let Some(sampler) = &sampler {
+            K::accepts(K::borrowed(sampler), &seen).map_err(|why| context.unfit(self, why))?;
+        }
+        let variants = self.variants(context, &own, sampler.as_ref(), source.is_some())?;
+        let experiment = Box::new(Placed::<K> { source: self.placed(sampler, source.clone()), scene: seen });
+        Ok(Ready { experiment, variants, source })
+    }
+}
+
+impl<K: Kind> Named<K> {
+    /// What is run, if it is a sampler.
+    fn sampler(&self) -> Option<Owned<K::Sampler<'static>>> {
+        match self {
+            Self::Listed(listed) => Some(Arc::new(listed.clone())),
+            Self::External(external) => Some(external.sampler()),
+            Self::Control(_) | Self::Samples(_) | Self::Command(_) => None,
+        }
+    }
+
+    fn placed(&self, sampler: Option<Owned<K::Sampler<'static>>>, source: Option<Arc<Origin>>) -> PlacedSource<K> {
+        match (sampler, source) {
+            (Some(sampler), _) => PlacedSource::Sampler(sampler),
+            (None, Some(origin)) => PlacedSource::External(origin),
+            (None, None) => PlacedSource::Control,
+        }
+    }
+
+    /// The other settings, each with the faults that concern majorants.
+    fn variants(
+        &self,
+        context: &Preparing,
+        own: &K::Placed,
+        sampler: Option<&Owned<K::Sampler<'static>>>,
+        external: bool,
+    ) -> Result<Vec<Variant<'static>>, CaseError> {
+        let (agreements, path) = context.agreements();
+        let mut variants: Vec<Variant<'static>> = Vec::new();
+        for &agreement in agreements {
+            let place = format!("{path}[{}]", variants.len());
+            let refuse = |why: String| context.file.refuse(&place, why);
+            let truth = K::setting(own, agreement).map_err(refuse)?;
+            context.may_agree(external, &variants, agreement).map_err(|why| refuse(why.into()))?;
+            let scene = context.see::<K>(truth, sampler)?;
+            if let Some(sampler) = sampler {
+                let unfit = |why| refuse(format!("the subject cannot work in that setting: {why}"));
+                K::accepts(K::borrowed(sampler), &scene).map_err(unfit)?;
+            }
+            let source = self.placed(sampler.cloned(), None);
+            variants.push(Variant { agreement, experiment: Box::new(Placed::<K> { source, scene }) });
+        }
+        Ok(variants)
+    }
+}
+
+impl Preparing<'_> {
+    fn refusal(&self, kind: &str, refusal: Refusal) -> CaseError {
+        match refusal {
+            Refusal::Scene(why) => self.file.refuse(&format!("{}.{kind}", self.at), why),
+            Refusal::Majorant(why) => self.file.refuse(&format!("{}.majorant", self.at), why),
+        }
+    }
+
+    /// The scene behind the faults that concern majorants.
+    fn see<K: Kind>(
+        &self,
+        truth: K::Placed,
+        sampler: Option<&Owned<K::Sampler<'static>>>,
+    ) -> Result<K::Placed, CaseError> {
+        let sampler = sampler.map(|sampler| K::borrowed(sampler));
+        let stated = self.spec.majorant.as_ref().map(|_| format!("{}.majorant", self.at));
+        let at = stated.unwrap_or_else(|| "majorant".into());
+        K::see(truth, sampler, self.spec.faults(), &self.spec.without).map_err(|why| self.file.refuse(&at, why))
+    }
+
+    fn unfit(&self, named: &dyn AnyNamed, why: freepath_estimators::ParameterError) -> CaseError {
+        let at = format!("{}.{}.{}.{}", self.at, named.kind(), named.name(), why.name());
+        self.file.refuse(&at, why)
+    }
+
+    /// The agreements that the subject must keep: its own, or the case's.
+    fn agreements(&self) -> (&[Agreement], String) {
+        match &self.spec.agree {
+            Some(own) => (own, format!("{}.agree", self.at)),
+            None => (&self.file.case.agree, "agree".into()),
+        }
+    }
+
+    fn may_agree(
+        &self,
+        external: bool,
+        before: &[Variant<'static>],
+        agreement: Agreement,
+    ) -> Result<(), &'static str> {
+        if external {
+            return Err("samples that are made elsewhere cannot be drawn in another setting (leave `agree` out)");
+        }
+        if before.iter().any(|variant| variant.agreement == agreement) {
+            return Err("an agreement stands there twice (once is enough)");
+        }
+        Ok(())
+    }
+
+    /// The file or the program that it is, if it is one.
+    fn source(&self, named: &dyn AnyNamed, outline: &Outline) -> Result<Option<Origin>, CaseError> {
+        if let Some((rows, command)) = named.command() {
+            return self.program(named, rows, command, outline).map(|program| Some(Origin::Program(program)));
+        }
+        let Some(samples) = named.samples() else { return Ok(None) };
+        let file = self.sample_file(named, samples, outline)?;
+        Ok(Some(Origin::File(samples.kind(), file)))
+    }
+}

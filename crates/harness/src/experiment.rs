@@ -1,0 +1,165 @@
+//! Experiments: subjects in their scenes. They are all that collecting, judging, a run, a soak, the measurement of power, an
+//! assertion and the C library ever see; which kind one is, only its file in [`kind`](crate::kind) knows.
+
+use crate::fault::{DrawnIn, Fault};
+use crate::samples::SampleSource;
+use crate::subject::Route;
+use freepath_draws::random::UNIFORM_BITS;
+use freepath_draws::{Draws, Streams};
+use freepath_statistics::Fact;
+use freepath_statistics::claim::{BiasBound, Claims, Withdrawal};
+use freepath_statistics::fold::{Folds, LookupWatch};
+use freepath_statistics::tally::Audit;
+use std::cell::RefCell;
+
+mod functional;
+mod in_scene;
+mod placed;
+mod probe;
+
+pub use functional::Functional;
+pub use in_scene::{InScene, Source};
+pub use placed::{Owned, Placed, PlacedSource};
+pub use probe::Probe;
+
+/// How far the claims on a subject go: what its case, its file or its author says of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a> {
+    /// How far every claim may be off.
+    pub tolerance: f64,
+    /// Bits of its uniforms.
+    pub bits: u32,
+    /// Draws of stage 1.
+    pub draws: u64,
+    /// Draws of a block.
+    pub rows: usize,
+    /// Draws at which growth ends.
+    pub budget: u64,
+    /// What growth aims at.
+    pub bias_bound: Option<BiasBound>,
+    /// Claims withdrawn.
+    pub without: &'a [Withdrawal],
+    /// Which method is driven.
+    pub route: Route,
+}
+
+impl Default for Terms<'_> {
+    fn default() -> Self {
+        Self {
+            tolerance: 0.0,
+            bits: UNIFORM_BITS,
+            draws: crate::subject::DRAWS,
+            rows: crate::subject::BLOCK,
+            budget: 64 * crate::subject::DRAWS,
+            bias_bound: None,
+            without: &[],
+            route: Route::Block,
+        }
+    }
+}
+
+impl Terms<'_> {
+    /// Whether what `withdrawal` would take back still stands.
+    #[must_use]
+    pub fn stands(&self, withdrawal: Withdrawal) -> bool {
+        !self.without.contains(&withdrawal)
+    }
+}
+
+/// What a block is drawn with.
+pub struct DrawContext<'a> {
+    /// Its random numbers.
+    pub streams: &'a Streams,
+    /// Which method is driven.
+    pub route: Route,
+    /// Faults laid over it.
+    pub faults: &'a [Fault],
+    /// Look-ups that the block may take.
+    pub budget: u64,
+    /// The relative excess over a majorant that counts as rounding.
+    pub rounding: f64,
+    /// Told of look-ups.
+    pub watch: Option<&'a dyn Told>,
+}
+
+/// Told of look-ups through a shared reference, as a sampler sees its medium.
+pub trait Told {
+    /// Look-ups of one tile: three slices of one length.
+    fn tell(&self, t: &[f64], mu: &[f64], bound: &[f64]);
+}
+
+impl Told for RefCell<&mut dyn LookupWatch> {
+    fn tell(&self, t: &[f64], mu: &[f64], bound: &[f64]) {
+        self.borrow_mut().look_ups(t, mu, bound);
+    }
+}
+
+/// What drawing a block left behind.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Looked {
+    /// Its look-ups.
+    pub audit: Audit,
+    /// Whether there were more than the budget.
+    pub spent: bool,
+}
+
+/// The claims on a subject, and what is drawn beside its own draws for them: asked for once, and carried.
+#[derive(Default)]
+pub struct Plan<'a> {
+    /// The claims that stand.
+    pub claims: Claims<'a>,
+    /// What they need beside the subject's own draws.
+    pub beside: Vec<Beside<'a>>,
+}
+
+/// Draws that a claim needs beside the subject's own: one block for each stage.
+pub struct Beside<'a> {
+    /// What makes them.
+    pub experiment: Box<dyn Experiment + 'a>,
+    /// What is tallied of them.
+    pub folds: Folds,
+    /// Sets their streams apart from the subject's own.
+    pub salt: u64,
+}
+
+/// A subject in its scene.
+pub trait Experiment: Send + Sync {
+    /// The name of its kind.
+    fn kind(&self) -> &'static str;
+
+    /// What is wrong if it fails, in words.
+    fn wrong(&self) -> &'static str;
+
+    /// A block of so many rows with the columns that it fills.
+    fn columns(&self, rows: usize) -> Draws;
+
+    /// Fills a block.
+    fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked;
+
+    /// What is claimed of its draws.
+    fn plan(&self, terms: &Terms) -> Plan<'_>;
+
+    /// Which of its methods can be driven.
+    fn routes(&self) -> &'static [Route];
+
+    /// Where its draws come from, if they are made elsewhere.
+    fn external(&self) -> Option<&dyn SampleSource>;
+
+    /// What a fault of its draws may ask.
+    fn drawn_in(&self) -> DrawnIn<'_>;
+
+    /// What contradicts the scene without noise.
+    fn scene_facts(&self) -> Vec<Fact>;
+
+    /// What contradicts the subject without noise.
+    fn facts(&self, probe: &Probe) -> Vec<Fact>;
+
+    /// Hands `run` the same subject in its own scene made so thick that nobody escapes, if there is one.
+    fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment));
+
+    /// What the microscope takes the mean of.
+    ///
+    /// # Errors
+    /// Why there is no one mean, in words.
+    fn functional(&self, terms: &Terms) -> Result<Functional, String>;
+}

@@ -1,0 +1,127 @@
+use super::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
+use crate::fault::DrawnIn;
+use crate::kind::Kind;
+use crate::samples::{SampleKind, SampleSource};
+use crate::subject::Route;
+use freepath_draws::Draws;
+use freepath_statistics::Fact;
+
+/// What makes the draws of a kind.
+pub enum Source<'a, K: Kind> {
+    /// The harness's own source, from the truth: the positive control.
+    Control,
+    /// A sampler.
+    Sampler(&'a K::Sampler<'a>),
+    /// A file, or a program.
+    External(SampleKind, &'a dyn SampleSource),
+}
+
+impl<K: Kind> Clone for Source<'_, K> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<K: Kind> Copy for Source<'_, K> {}
+
+impl<'a, K: Kind> Source<'a, K> {
+    /// The sampler, if it is one.
+    #[must_use]
+    pub fn sampler(&self) -> Option<&'a K::Sampler<'a>> {
+        match self {
+            Self::Sampler(sampler) => Some(sampler),
+            Self::Control | Self::External(..) => None,
+        }
+    }
+
+    /// Whether the rows are made elsewhere.
+    #[must_use]
+    pub fn is_external(&self) -> bool {
+        match self {
+            Self::External(..) => true,
+            Self::Control | Self::Sampler(_) => false,
+        }
+    }
+}
+
+/// An experiment of one kind.
+pub struct InScene<'a, K: Kind> {
+    /// What makes the draws.
+    pub source: Source<'a, K>,
+    /// Where.
+    pub scene: K::Scene<'a>,
+}
+
+impl<'a, K: Kind> InScene<'a, K> {
+    /// What is claimed, and still stands.
+    pub(super) fn into_plan(self, terms: &Terms) -> Plan<'a> {
+        let Plan { claims, beside } = K::plan(self.scene, &self.source, terms);
+        Plan { claims: claims.without(terms.without), beside }
+    }
+
+    /// A sampler in a scene.
+    #[must_use]
+    pub fn of(sampler: &'a K::Sampler<'a>, scene: K::Scene<'a>) -> Self {
+        Self { source: Source::Sampler(sampler), scene }
+    }
+}
+
+impl<K: Kind> Experiment for InScene<'_, K> {
+    fn kind(&self) -> &'static str {
+        K::NAME
+    }
+    fn wrong(&self) -> &'static str {
+        if self.source.is_external() { "the samples are wrong" } else { K::WRONG }
+    }
+    fn columns(&self, rows: usize) -> Draws {
+        K::columns(self.scene, &self.source, rows)
+    }
+    fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
+        match self.source {
+            Source::Sampler(sampler) => K::draw(sampler, self.scene, context, out),
+            Source::Control => {
+                K::control(self.scene, context.streams, out);
+                Looked::default()
+            }
+            Source::External(..) => Looked::default(), // not drawn here: unwritten rows are NaN
+        }
+    }
+    fn plan(&self, terms: &Terms) -> Plan<'_> {
+        InScene { source: self.source, scene: self.scene }.into_plan(terms)
+    }
+    fn routes(&self) -> &'static [Route] {
+        match self.source {
+            Source::Sampler(_) => &[Route::Block, Route::Scalar],
+            Source::Control | Source::External(..) => &[Route::Scalar],
+        }
+    }
+    fn external(&self) -> Option<&dyn SampleSource> {
+        match self.source {
+            Source::External(_, source) => Some(source),
+            Source::Control | Source::Sampler(_) => None,
+        }
+    }
+    fn drawn_in(&self) -> DrawnIn<'_> {
+        K::drawn_in(self.scene, &self.source)
+    }
+    fn scene_facts(&self) -> Vec<Fact> {
+        K::scene_facts(self.scene)
+    }
+    fn facts(&self, probe: &Probe) -> Vec<Fact> {
+        K::facts(self.scene, &self.source, probe)
+    }
+    fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment)) {
+        if let Source::Sampler(sampler) = self.source {
+            K::in_thick(sampler, self.scene, terms, depth, run);
+        }
+    }
+    fn functional(&self, terms: &Terms) -> Result<Functional, String> {
+        match self.source {
+            Source::External(..) => {
+                let why =
+                    "samples are made elsewhere: the microscope looks at what takes its random numbers from us";
+                Err(why.into())
+            }
+            Source::Control | Source::Sampler(_) => K::functional(self.scene, &self.source, terms),
+        }
+    }
+}

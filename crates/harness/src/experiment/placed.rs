@@ -1,0 +1,85 @@
+use super::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
+use crate::case::Origin;
+use crate::fault::DrawnIn;
+use crate::kind::Kind;
+use crate::samples::SampleSource;
+use crate::subject::Route;
+use freepath_draws::Draws;
+use freepath_statistics::Fact;
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// A sampler that is owned, whichever list it comes from.
+pub type Owned<T> = Arc<dyn Deref<Target = T> + Send + Sync>;
+
+/// What makes the draws of a subject of a case.
+pub enum PlacedSource<K: Kind> {
+    /// The harness's own source, from the truth.
+    Control,
+    /// A sampler.
+    Sampler(Owned<K::Sampler<'static>>),
+    /// A file, or a program.
+    External(Arc<Origin>),
+}
+
+/// An experiment that owns what it needs: a subject of a case.
+pub struct Placed<K: Kind> {
+    /// What makes the draws.
+    pub source: PlacedSource<K>,
+    /// Where.
+    pub scene: K::Placed,
+}
+
+impl<K: Kind> Placed<K> {
+    fn in_scene(&self) -> InScene<'_, K> {
+        let source = match &self.source {
+            PlacedSource::Control => Source::Control,
+            PlacedSource::Sampler(sampler) => Source::Sampler(K::borrowed(sampler)),
+            PlacedSource::External(origin) => Source::External(origin.kind(), origin.source()),
+        };
+        InScene { source, scene: K::scene(&self.scene) }
+    }
+}
+
+impl<K: Kind> Experiment for Placed<K> {
+    fn kind(&self) -> &'static str {
+        K::NAME
+    }
+    fn wrong(&self) -> &'static str {
+        self.in_scene().wrong()
+    }
+    fn columns(&self, rows: usize) -> Draws {
+        self.in_scene().columns(rows)
+    }
+    fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
+        self.in_scene().draw(context, out)
+    }
+    fn plan(&self, terms: &Terms) -> Plan<'_> {
+        self.in_scene().into_plan(terms)
+    }
+    fn routes(&self) -> &'static [Route] {
+        self.in_scene().routes()
+    }
+    fn external(&self) -> Option<&dyn SampleSource> {
+        match &self.source {
+            PlacedSource::External(origin) => Some(origin.source()),
+            PlacedSource::Control | PlacedSource::Sampler(_) => None,
+        }
+    }
+    fn drawn_in(&self) -> DrawnIn<'_> {
+        let InScene { source, scene } = self.in_scene();
+        K::drawn_in(scene, &source)
+    }
+    fn scene_facts(&self) -> Vec<Fact> {
+        self.in_scene().scene_facts()
+    }
+    fn facts(&self, probe: &Probe) -> Vec<Fact> {
+        self.in_scene().facts(probe)
+    }
+    fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment)) {
+        self.in_scene().in_thick(terms, depth, run);
+    }
+    fn functional(&self, terms: &Terms) -> Result<Functional, String> {
+        self.in_scene().functional(terms)
+    }
+}

@@ -1,0 +1,191 @@
+//! Kinds: what a case names under one key. A kind says which scene it needs, which columns a row has, how they are drawn, and
+//! which claims follow.
+
+use crate::agree::Agreement;
+use crate::case::{AnyNamed, Faults, MOST_DRAWS, Named, SampleArguments, SamplesSpec};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Source, Terms};
+use crate::fault::{DrawnIn, Expectation, Fault};
+use crate::samples::SampleKind;
+use crate::scene::Scene;
+use freepath_draws::{Draws, Streams};
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{List, MajorantChoice, Medium, ParameterError};
+use freepath_statistics::Fact;
+use freepath_statistics::claim::{BiasBound, Withdrawal};
+use list::kinds;
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::fmt::Debug;
+
+mod columns;
+mod events;
+mod list;
+mod ray;
+
+pub use list::KindEntry;
+pub use ray::{PlacedRay, Ray};
+
+kinds! {
+    /// A free-path sampler.
+    free_path::FreePathKind,
+    /// A transmittance estimator.
+    transmittance::Transmittance,
+    /// A chromatic sampler.
+    chromatic::Chromatic,
+}
+
+/// What a case says of something by its name: its parameters.
+pub trait Body:
+    Clone + Debug + Default + PartialEq + DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static
+{
+}
+
+impl<T> Body for T where
+    T: Clone + Debug + Default + PartialEq + DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static
+{
+}
+
+/// The kind that a sampler's trait belongs to.
+pub trait KindOf {
+    /// That kind.
+    type Kind: Kind;
+}
+
+/// Why a scene cannot be that of a subject.
+pub enum Refusal {
+    /// The kind needs another scene.
+    Scene(String),
+    /// The majorant of the subject does not bound, or is none.
+    Majorant(String),
+}
+
+/// What is known of a scene where draws are made elsewhere, and where a fault is to be laid.
+#[derive(Clone, Copy, Default)]
+pub struct Outline<'a> {
+    /// The one extinction, if there is one.
+    pub medium: Option<&'a dyn Medium>,
+    /// The channels, if there are several.
+    pub channels: Option<&'a ChromaticMedium>,
+    /// The length of the ray.
+    pub length: f64,
+    /// Weights in a row of samples.
+    pub weights: usize,
+}
+
+/// What a case names under one key: one file, and one line in the list.
+pub trait Kind: Sized + Send + Sync + 'static {
+    /// Its key in a case.
+    const NAME: &'static str;
+    /// What a list of its samplers is called.
+    const HEADING: &'static str;
+    /// What a case should have under its key, in words.
+    const EXPECTED: &'static str;
+    /// What is wrong if a sampler fails, in words.
+    const WRONG: &'static str;
+    /// The name of the harness's own source, if it has one.
+    const CONTROL: Option<&'static str>;
+    /// The rows that a program writes.
+    const PROGRAM: SampleKind;
+    /// Whether draws may grow towards a bound on the bias: there is one mean, or one law.
+    const GROWS: bool;
+
+    /// What is under test.
+    type Sampler<'a>: ?Sized + Send + Sync;
+    /// The names of samplers.
+    type List: List<Target = Self::Sampler<'static>>;
+    /// The parameters of the harness's own source.
+    type Control: Body;
+    /// A file of samples.
+    type Samples: SamplesSpec;
+    /// Where the truth lives, and what a sampler sees of it.
+    type Scene<'a>: Copy + Send + Sync;
+    /// The same, owned by a subject of a case.
+    type Placed: Send + Sync;
+
+    /// A sampler of a list as one that may borrow.
+    fn borrowed<'a>(listed: &'a Self::Sampler<'static>) -> &'a Self::Sampler<'a>;
+
+    /// The scene of a subject of a case, under a majorant of its own if it states one.
+    ///
+    /// # Errors
+    /// If the case has another scene, or the majorant cannot be had.
+    fn place(scene: &dyn Scene, majorant: Option<&MajorantChoice>) -> Result<Self::Placed, Refusal>;
+
+    /// What is known of it elsewhere.
+    fn outline(placed: &Self::Placed) -> Outline<'_>;
+
+    /// The same as the sampler sees it, behind the faults that concern majorants. Provided: as it is.
+    ///
+    /// # Errors
+    /// Why the sampler cannot rely on what it sees, in words.
+    fn see(
+        placed: Self::Placed,
+        _sampler: Option<&Self::Sampler<'_>>,
+        _faults: &[Fault],
+        _without: &[Withdrawal],
+    ) -> Result<Self::Placed, String> {
+        Ok(placed)
+    }
+
+    /// Refuses a scene that the sampler cannot work in.
+    ///
+    /// # Errors
+    /// Naming the parameter that does not fit the scene.
+    fn accepts(sampler: &Self::Sampler<'_>, placed: &Self::Placed) -> Result<(), ParameterError>;
+
+    /// The scene of an agreement. Provided: there is no other setting.
+    ///
+    /// # Errors
+    /// If there is no such setting, in words.
+    fn setting(_placed: &Self::Placed, _agreement: Agreement) -> Result<Self::Placed, String> {
+        Err("channels have no other setting to agree with (one extinction is needed)".into())
+    }
+
+    /// The scene as a sampler sees it.
+    fn scene(placed: &Self::Placed) -> Self::Scene<'_>;
+
+    /// A block of so many rows with the columns that `source` fills.
+    fn columns(scene: Self::Scene<'_>, source: &Source<'_, Self>, rows: usize) -> Draws;
+
+    /// Fills a block by a sampler, behind the audit and the faults.
+    fn draw(sampler: &Self::Sampler<'_>, scene: Self::Scene<'_>, context: &DrawContext, out: &mut Draws)
+    -> Looked;
+
+    /// Fills a block from the truth: the positive control.
+    fn control(scene: Self::Scene<'_>, streams: &Streams, out: &mut Draws);
+
+    /// What is claimed, in the order of the tests in the results. Claims that the terms withdraw are left out by the caller.
+    fn plan<'a>(scene: Self::Scene<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a>;
+
+    /// What a fault of finished draws may ask. Provided: nothing.
+    fn drawn_in<'a>(_scene: Self::Scene<'a>, _source: &Source<'a, Self>) -> DrawnIn<'a> {
+        DrawnIn::default()
+    }
+
+    /// What contradicts the scene without noise. Provided: nothing is looked for.
+    fn scene_facts(_scene: Self::Scene<'_>) -> Vec<Fact> {
+        Vec::new()
+    }
+
+    /// What contradicts a sampler without noise, beside what holds for every kind. Provided: nothing is looked for.
+    fn facts(_scene: Self::Scene<'_>, _source: &Source<'_, Self>, _probe: &Probe) -> Vec<Fact> {
+        Vec::new()
+    }
+
+    /// Hands `run` the sampler in its own scene, made so thick that nobody escapes. Provided: there is no such scene.
+    fn in_thick(
+        _sampler: &Self::Sampler<'_>,
+        _scene: Self::Scene<'_>,
+        _terms: &Terms,
+        _depth: f64,
+        _run: &mut dyn FnMut(&dyn Experiment),
+    ) {
+    }
+
+    /// What the microscope takes the mean of.
+    ///
+    /// # Errors
+    /// Why there is no one mean, in words.
+    fn functional(scene: Self::Scene<'_>, source: &Source<'_, Self>, terms: &Terms) -> Result<Functional, String>;
+}

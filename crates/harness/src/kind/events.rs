@@ -1,0 +1,99 @@
+//! Weighted means of events along a ray: of a chromatic sampler, or of weighted free paths.
+
+use super::columns::{T, channel};
+use freepath_statistics::claim::{
+    Claims, CountedPath, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
+};
+use freepath_statistics::fold::{Event, EventSums, FoldId, Strays};
+use freepath_statistics::hypothesis::MeanClaim;
+
+/// The weighted mean of one event in one channel.
+pub(super) struct EventMean {
+    /// Which channel.
+    pub(super) channel: usize,
+    /// Which event.
+    pub(super) event: Event,
+    /// The name of its test.
+    pub(super) name: String,
+    /// E[w; event].
+    pub(super) mean: MeanClaim,
+    /// E[w^2; event], E[w^4; event] and E[w^6; event], where a formula is known.
+    pub(super) moments: Option<[f64; 3]>,
+    /// Nothing says that the weights have a variance: no formula for the event, nor for any scattering.
+    pub(super) keeps_tail: bool,
+}
+
+/// Bins of t in which the weighted mean is tested.
+pub(super) const BINS: usize = 8;
+
+/// The folds of events, and what all of their weights must be.
+pub(super) struct Events {
+    means: Vec<EventMean>,
+    sums: Vec<FoldId<EventSums>>,
+}
+
+impl Events {
+    pub(super) fn tally(means: Vec<EventMean>, claims: &mut Claims) -> Self {
+        let fold = |mean: &EventMean| EventSums {
+            column: channel(mean.channel),
+            distance: T,
+            event: mean.event,
+            center: mean.mean.expected,
+            keeps_tail: mean.keeps_tail,
+        };
+        let sums = means.iter().map(|mean| claims.folds.add(fold(mean))).collect();
+        Self { means, sums }
+    }
+
+    /// Every weight is finite.
+    pub(super) fn finite(&self, claims: &mut Claims) {
+        claims.push(EventWeights { sums: self.sums.clone() });
+    }
+
+    /// Every distance lies on the ray, where no law counts them.
+    pub(super) fn path(length: f64, claims: &mut Claims) {
+        let strays = claims.folds.add(Strays { column: T, length });
+        claims.push(CountedPath { column: T, length, strays });
+    }
+
+    /// Every weight of a row is finite, row by row.
+    pub(super) fn rows(channels: usize, claims: &mut Claims) {
+        claims.push(FiniteRow { columns: (0..channels).map(channel).collect() });
+    }
+
+    /// Each event has its mean and, where a formula is known, its second moment.
+    pub(super) fn means(self, claims: &mut Claims) {
+        for (EventMean { channel, event, name, mean, moments, .. }, sums) in self.means.into_iter().zip(self.sums)
+        {
+            let second = format!("second_moment_{name}");
+            claims.push(EventClaim { name, channel, event, mean, sums });
+            if let Some(moments) = moments {
+                let sums = Moments::Event(sums);
+                claims.push(SecondMomentClaim { name: second, sums, moments, slack: mean.slack });
+            }
+        }
+    }
+}
+
+/// What is claimed of the weights of an event.
+pub(super) fn weights(
+    expected: f64,
+    moments: Option<[f64; 3]>,
+    probability: Option<f64>,
+    slack: f64,
+) -> MeanClaim {
+    let variance = moments.map(|[m2, ..]| m2 - expected * expected);
+    MeanClaim {
+        expected,
+        slack,
+        binary: false,
+        range: None,
+        variance: variance.map(|v| if v > 0.0 { v } else { 0.0 }),
+        skewness: probability.map(skewness),
+    }
+}
+
+/// Skewness of an event that happens or not: its weights are about as skew, whether or not it is ever seen.
+fn skewness(p: f64) -> f64 {
+    (1.0 - 2.0 * p) / (p * (1.0 - p)).sqrt()
+}

@@ -1,0 +1,234 @@
+use super::FreePathKind;
+use super::in_parts::{InParts, cut, works_in_parts};
+use crate::experiment::{Beside, Plan, Source, Terms};
+use crate::kind::Ray;
+use crate::kind::columns::{COLLISIONS, MARK, T, WEIGHT};
+use freepath_estimators::FreePathSampler;
+use freepath_estimators::claims::FreePathClaims;
+use freepath_statistics::CellIndex;
+use freepath_statistics::claim::{
+    AuxiliaryClaim, BerkJonesClaim, Bounded, Claims, ColemanClaim, EnoughRows, InsideRay, LawAgreement, LawClaim,
+    LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim,
+    UnitWeightClaim, Vacuum, Withdrawal,
+};
+use freepath_statistics::fold::{
+    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Ties, UnitWeight,
+};
+use freepath_statistics::hypothesis::pair_probability;
+use freepath_statistics::Law;
+use freepath_statistics::tally::Scores;
+use freepath_results::Reason;
+use std::sync::Arc;
+
+/// Sets the streams of a ray in two parts apart from those of the whole.
+const IN_PARTS: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The medium's law, and the law that the sampler has by design.
+pub(super) struct Laws {
+    pub(super) truth: Arc<Law>,
+    /// If that is another; on the same cells.
+    pub(super) own: Option<Arc<Law>>,
+}
+
+impl Laws {
+    pub(super) fn of(ray: Ray, source: &Source<FreePathKind>, terms: &Terms) -> Self {
+        let truth = ray.truth;
+        let law = Law::new(truth.length(), terms.tolerance + truth.tau_error(), |t| libm::exp(-truth.tau(t)));
+        let law = if source.is_external() {
+            let rounding = terms.tolerance * law.steepness(); // each t may be off by that share of it
+            law.loosened(rounding)
+        } else {
+            law
+        };
+        let survival = source.sampler().and_then(|sampler| sampler.claims(truth).own_law);
+        let own = survival.map(|survival| Arc::new(law.with_survival(terms.tolerance + 1e-9, survival)));
+        Self { truth: Arc::new(law), own }
+    }
+
+    /// The law that the draws should follow.
+    fn followed(&self) -> &Law {
+        self.own.as_ref().unwrap_or(&self.truth)
+    }
+}
+
+/// What is said of the sampler: of a file nothing that is not true of any right sampler.
+fn said<'a>(ray: Ray<'a>, source: &Source<'a, FreePathKind>) -> FreePathClaims<'a> {
+    match source {
+        Source::Sampler(sampler) => sampler.claims(ray.truth),
+        Source::Control => FreePathClaims { bounded: false, lookups: Some(0.0), ..FreePathClaims::default() },
+        Source::External(..) => FreePathClaims { bounded: false, ..FreePathClaims::default() },
+    }
+}
+
+/// Claims on free paths while they are put together.
+struct Builder<'a, 'b> {
+    ray: Ray<'a>,
+    source: &'b Source<'a, FreePathKind>,
+    terms: &'b Terms<'b>,
+    said: FreePathClaims<'a>,
+    laws: Laws,
+    reason: Reason,
+    claims: Claims<'a>,
+    beside: Vec<Beside<'a>>,
+    index: CellIndex,
+    cells: FoldId<Cells>,
+    lookups: FoldId<Lookups>,
+}
+
+pub(super) fn plan<'a>(ray: Ray<'a>, source: &Source<'a, FreePathKind>, terms: &Terms) -> Plan<'a> {
+    let mut builder = Builder::new(ray, source, terms);
+    builder.support();
+    if terms.stands(Withdrawal::Truth) {
+        builder.law();
+        builder.coleman();
+    }
+    builder.order();
+    if terms.stands(Withdrawal::Truth) {
+        builder.in_parts();
+        builder.auxiliary();
+        builder.cost();
+    }
+    Plan { claims: builder.claims, beside: builder.beside }
+}
+
+impl<'a, 'b> Builder<'a, 'b> {
+    fn new(ray: Ray<'a>, source: &'b Source<'a, FreePathKind>, terms: &'b Terms<'b>) -> Self {
+        let (said, laws, mut claims) = (said(ray, source), Laws::of(ray, source, terms), Claims::default());
+        let index = claims.folds.cell_index();
+        let cells = claims.folds.add(Cells { column: T, law: laws.truth.clone(), index });
+        let lookups = claims.folds.add(Lookups);
+        let reason = if laws.own.is_some() { Reason::Biased } else { Reason::WrongLaw };
+        Self { ray, source, terms, said, laws, reason, claims, beside: Vec::new(), index, cells, lookups }
+    }
+
+    /// What holds whatever the law: look-ups and distances lie where they may.
+    fn support(&mut self) {
+        let (lookups, cells, external) = (self.lookups, self.cells, self.source.is_external());
+        if self.said.bounded {
+            self.claims.push(Bounded { lookups });
+        }
+        self.claims.push(InsideRay { lookups });
+        if external {
+            self.claims.push(EnoughRows);
+        }
+        self.claims.push(Path { column: T, length: self.ray.truth.length(), cells });
+        if !external {
+            let other = self.claims.folds.add(UnitWeight { column: WEIGHT });
+            self.claims.push(UnitWeightClaim { column: WEIGHT, other });
+        }
+        self.claims.push(LawAgreement { cells, reason: self.reason });
+    }
+
+    /// The medium's law, and the one that the sampler has by design.
+    fn law(&mut self) {
+        let (Laws { truth, own }, cells) = (&self.laws, self.cells);
+        self.claims.push(LawClaim {
+            law: truth.clone(),
+            cells,
+            reason: self.reason,
+            own: own.clone(),
+            breaks: self.ray.truth.breaks().to_vec(),
+            order: self.said.order,
+            grows: true,
+        });
+        if let Some(law) = own.clone() {
+            self.claims.push(OwnLaw { law, cells });
+        }
+        self.berk_jones();
+        if self.laws.own.is_none() {
+            let (law, medium) = (self.laws.truth.clone(), self.ray.truth);
+            let empty = Box::new(move |from, to| medium.extrema(from, to).1 <= 0.0);
+            self.claims.push(Vacuum { law, empty, cells });
+        }
+    }
+
+    /// Not of an own law with atoms.
+    fn berk_jones(&mut self) {
+        let ends = self.claims.folds.add(Ends { column: T, length: self.ray.truth.length() });
+        let (cells, bits, medium) = (self.cells, self.terms.bits, self.ray.truth);
+        if let (Some(law), Some(survival), true) =
+            (self.laws.own.clone(), self.said.own_law.take(), self.said.continuous)
+        {
+            let reason = Reason::WrongLaw;
+            self.claims.push(BerkJonesClaim { prefix: "own_", law, survival, cells, ends, bits, reason });
+        }
+        let (law, reason) = (self.laws.truth.clone(), self.reason);
+        let survival = Box::new(move |t| libm::exp(-medium.tau(t)));
+        self.claims.push(BerkJonesClaim { prefix: "", law, survival, cells, ends, bits, reason });
+    }
+
+    /// Tentative collisions with the distance.
+    fn coleman(&mut self) {
+        if !self.said.coleman {
+            return;
+        }
+        let (law, medium) = (self.laws.truth.clone(), self.ray.truth);
+        let histogram = Histogram::Joint(law.clone(), self.index);
+        let collisions = self.claims.folds.add(Collisions { column: COLLISIONS, histogram });
+        let null_depth = Box::new(move |t| {
+            let depth = medium.majorants().depth(t) - medium.tau(t);
+            if depth < 0.0 { 0.0 } else { depth }
+        });
+        self.claims.push(ColemanClaim { law, null_depth, collisions });
+    }
+
+    /// Ties, and neighbours in drawing order.
+    fn order(&mut self) {
+        if !self.terms.stands(Withdrawal::Independent) {
+            return;
+        }
+        let (cells, followed) = (self.cells, self.laws.followed());
+        let scores = Arc::new(Scores::new(followed));
+        let lags = self.claims.folds.add(Lags { scores: scores.clone(), index: self.index });
+        if !self.terms.stands(Withdrawal::Truth) {
+            self.claims.push(ObservedOrder { scores, lags, cells });
+            return;
+        }
+        if self.said.continuous && followed.collided() > 0.0 {
+            let pair = pair_probability(followed, self.terms.bits);
+            let ties = self.claims.folds.add(Ties { column: T });
+            self.claims.push(TiesClaim { pair, ties, cells, written: self.source.is_external() });
+        }
+        self.claims.push(Order { scores, lags, cells });
+    }
+
+    /// Where tentative collisions lie, and the ray in two parts.
+    fn in_parts(&mut self) {
+        if self.said.coleman && self.said.bounded {
+            let nulls = self.claims.folds.add(Nulls { law: self.laws.truth.clone(), index: self.index });
+            self.claims.push(NullPositionsClaim { nulls });
+        }
+        let Some(sampler) = self.source.sampler().filter(|_| self.said.parts && self.laws.own.is_none()) else {
+            return;
+        };
+        let cut = cut(self.ray.truth);
+        if !works_in_parts(sampler, self.ray.truth, cut) {
+            return;
+        }
+        let (law, reason, mut folds) = (self.laws.truth.clone(), self.reason, Folds::default());
+        let index = folds.cell_index();
+        let cells = folds.add(Cells { column: T, law: law.clone(), index });
+        let lookups = folds.add(Lookups);
+        self.claims.push(SeriesClaim { law, beside: self.beside.len(), cells, lookups, reason });
+        let experiment = Box::new(InParts { sampler, ray: self.ray, cut });
+        self.beside.push(Beside { experiment, folds, salt: IN_PARTS });
+    }
+
+    /// A number that comes with each draw and says nothing of it.
+    fn auxiliary(&mut self) {
+        let wanted = self.source.sampler().is_some_and(FreePathSampler::marked);
+        if wanted && self.terms.stands(Withdrawal::Independent) {
+            let scores = Arc::new(Scores::new(self.laws.followed()));
+            let numbers = self.claims.folds.add(Auxiliary { column: MARK, scores, index: self.index });
+            self.claims.push(AuxiliaryClaim { numbers });
+        }
+    }
+
+    fn cost(&mut self) {
+        let Terms { rows, tolerance, .. } = *self.terms;
+        if let Some(expected) = self.said.lookups {
+            let lookups = self.lookups;
+            self.claims.push(LookupsClaim { expected, lookups, rows, slack: tolerance });
+        }
+    }
+}

@@ -1,0 +1,139 @@
+use super::{Kind, KindOf, Outline, Refusal};
+use super::ray::{Methods, PlacedRay, Ray, draw};
+use crate::agree::Agreement;
+use crate::case::TransmittanceSamples;
+use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Source, Terms};
+use crate::fault::{DrawnIn, Fault};
+use crate::identities;
+use crate::samples::SampleKind;
+use crate::scene::Scene;
+use freepath_draws::{Draws, Streams};
+use freepath_estimators::transmittance::AnyTransmittance;
+use freepath_estimators::{Extinction, FreePath, MajorantChoice, ParameterError, TransmittanceEstimator};
+use freepath_statistics::claim::Withdrawal;
+use freepath_statistics::Fact;
+use rand::Rng;
+
+mod control;
+mod plan;
+
+use control::ClosedForm;
+
+/// Transmittance: estimates of exp(-tau).
+#[derive(Debug)]
+pub struct Transmittance;
+
+impl Kind for Transmittance {
+    const NAME: &'static str = "transmittance";
+    const HEADING: &'static str = "Transmittance estimators";
+    const EXPECTED: &'static str = "a transmittance estimator, such as {\"ratio_tracking\": {}}";
+    const WRONG: &'static str = "the mean of the estimator is not the transmittance";
+    const CONTROL: Option<&'static str> = Some("closed_form");
+    const PROGRAM: SampleKind = SampleKind::Transmittance;
+    const GROWS: bool = true;
+
+    type Sampler<'a> = dyn TransmittanceEstimator + 'a;
+    type List = AnyTransmittance;
+    type Control = ClosedForm;
+    type Samples = TransmittanceSamples;
+    type Scene<'a> = Ray<'a>;
+    type Placed = PlacedRay;
+
+    fn borrowed<'a>(listed: &'a (dyn TransmittanceEstimator + 'static)) -> &'a (dyn TransmittanceEstimator + 'a) {
+        listed
+    }
+
+    fn place(scene: &dyn Scene, majorant: Option<&MajorantChoice>) -> Result<PlacedRay, Refusal> {
+        PlacedRay::of(Self::NAME, scene, majorant)
+    }
+
+    fn outline(placed: &PlacedRay) -> Outline<'_> {
+        placed.outline()
+    }
+
+    fn see(
+        placed: PlacedRay,
+        sampler: Option<&Self::Sampler<'_>>,
+        faults: &[Fault],
+        without: &[Withdrawal],
+    ) -> Result<PlacedRay, String> {
+        let relies = sampler.is_some_and(|sampler| sampler.claims(&*placed.truth).bounded);
+        placed.behind(faults, relies && !without.contains(&Withdrawal::Bounded))
+    }
+
+    fn accepts(sampler: &Self::Sampler<'_>, placed: &PlacedRay) -> Result<(), ParameterError> {
+        sampler.accepts(&placed.seen)
+    }
+
+    fn setting(placed: &PlacedRay, agreement: Agreement) -> Result<PlacedRay, String> {
+        placed.setting(agreement)
+    }
+
+    fn scene(placed: &PlacedRay) -> Ray<'_> {
+        placed.ray()
+    }
+
+    fn columns(_: Ray, source: &Source<Self>, rows: usize) -> Draws {
+        let draws = Draws::new(rows).with_weight();
+        if source.is_external() { draws } else { draws.with_collisions() }
+    }
+
+    fn draw(estimator: &Self::Sampler<'_>, ray: Ray, context: &DrawContext, out: &mut Draws) -> Looked {
+        draw(&estimator, ray, context, out)
+    }
+
+    fn control(ray: Ray, _: &Streams, out: &mut Draws) {
+        let transmittance = ray.transmittance();
+        (0..out.rows).for_each(|row| out.put(row, f64::INFINITY, transmittance, 0));
+    }
+
+    fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a> {
+        plan::plan(ray, source, terms)
+    }
+
+    fn drawn_in<'a>(ray: Ray<'a>, _: &Source<'a, Self>) -> DrawnIn<'a> {
+        DrawnIn { medium: Some(ray.truth), channels: None }
+    }
+
+    fn scene_facts(ray: Ray) -> Vec<Fact> {
+        ray.facts()
+    }
+
+    fn facts(ray: Ray, source: &Source<Self>, probe: &Probe) -> Vec<Fact> {
+        let terms = probe.terms();
+        let (said, mean) = (plan::said(ray, source), plan::Mean::of(ray, source, &terms));
+        let bounded = said.bounded && terms.stands(Withdrawal::Bounded);
+        let mut facts = Vec::new();
+        if let Some(estimator) = source.sampler() {
+            facts.extend(identities::composition(estimator, ray.truth, terms.tolerance));
+            facts.extend(identities::roulette_of(estimator, bounded));
+        }
+        let expected = mean.own.map_or(mean.truth.expected, |own| own.expected);
+        facts.extend(identities::zero_variance(mean.truth.variance, expected, probe));
+        facts
+    }
+
+    fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
+        let mean = plan::Mean::of(ray, source, terms);
+        Ok(Functional {
+            value: |draws| draws.weight[0],
+            expected: mean.truth.expected,
+            declared: mean.own.map_or(0.0, |own| own.expected - mean.truth.expected),
+            relative_error: ray.truth.tau_error(),
+        })
+    }
+}
+
+impl Methods for &dyn TransmittanceEstimator {
+    fn block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        self.estimate_block(medium, streams, out);
+    }
+
+    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, _: usize, _: &mut Draws) -> FreePath {
+        FreePath { t: f64::INFINITY, weight: self.estimate(medium, rng), collisions: 0 }
+    }
+}
+
+impl KindOf for dyn TransmittanceEstimator {
+    type Kind = Transmittance;
+}

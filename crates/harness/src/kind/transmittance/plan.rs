@@ -1,0 +1,151 @@
+use super::Transmittance;
+use crate::experiment::{Plan, Source, Terms};
+use crate::kind::Ray;
+use crate::kind::columns::{COLLISIONS, WEIGHT};
+use crate::subject::Route;
+use freepath_estimators::claims::TransmittanceClaims;
+use freepath_statistics::claim::{
+    Bounded, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement, Moments,
+    OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets,
+};
+use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, Weights};
+use freepath_statistics::hypothesis::MeanClaim;
+
+/// What is said of the estimator: of a file nothing that is not true of any right estimator.
+pub(super) fn said(ray: Ray, source: &Source<Transmittance>) -> TransmittanceClaims {
+    match source {
+        Source::Sampler(estimator) => estimator.claims(ray.truth),
+        Source::Control => closed_form(ray),
+        Source::External(..) => TransmittanceClaims { bounded: false, ..TransmittanceClaims::default() },
+    }
+}
+
+fn closed_form(ray: Ray) -> TransmittanceClaims {
+    let transmittance = ray.transmittance();
+    TransmittanceClaims {
+        bounded: false,
+        moments: Some(std::array::from_fn(|k| libm::pow(transmittance, (k + 1) as f64))),
+        range: Some((0.0, 1.0)),
+        lookups: Some(0.0),
+        ..TransmittanceClaims::default()
+    }
+}
+
+/// The mean of the estimates.
+pub(super) struct Mean {
+    /// T.
+    pub(super) truth: MeanClaim,
+    /// The mean that the estimator has by design, if that is another.
+    pub(super) own: Option<MeanClaim>,
+    /// E[X^k] by formula.
+    pub(super) moments: Option<[f64; 6]>,
+}
+
+impl Mean {
+    pub(super) fn of(ray: Ray, source: &Source<Transmittance>, terms: &Terms) -> Self {
+        let (claims, transmittance) = (said(ray, source), ray.transmittance());
+        let (variance, skewness) = claims.moments.as_ref().map(spread).unzip();
+        let truth = MeanClaim {
+            expected: transmittance,
+            slack: terms.tolerance + transmittance * ray.truth.tau_error(),
+            binary: claims.binary,
+            range: claims.range,
+            variance,
+            skewness,
+        };
+        let own = |expected| MeanClaim { expected, slack: terms.tolerance + 1e-10 * transmittance, ..truth };
+        let known = terms.stands(Withdrawal::Truth);
+        let second = known && !claims.binary && terms.stands(Withdrawal::SecondMoment);
+        Self {
+            truth,
+            own: claims.own_mean.map(own).filter(|_| known),
+            moments: claims.moments.filter(|_| second),
+        }
+    }
+}
+
+/// Variance and skewness from raw moments; the skewness is NaN, not known, where cancellation leaves too few digits of it.
+fn spread(moments: &[f64; 6]) -> (f64, f64) {
+    let [m1, m2, m3, ..] = *moments;
+    let variance = m2 - m1 * m1;
+    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
+    let skewness = if variance > 1e-9 * m1 * m1 { third / (variance * variance.sqrt()) } else { f64::NAN };
+    (if variance > 0.0 { variance } else { 0.0 }, skewness)
+}
+
+/// Claims on estimates while they are put together.
+struct Builder<'a, 'b> {
+    terms: &'b Terms<'b>,
+    said: TransmittanceClaims,
+    mean: Mean,
+    claims: Claims<'a>,
+    weights: FoldId<Weights>,
+    lookups: FoldId<Lookups>,
+}
+
+pub(super) fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Transmittance>, terms: &Terms) -> Plan<'a> {
+    let mut builder = Builder::new(said(ray, source), Mean::of(ray, source, terms), terms);
+    builder.support(source.is_external());
+    if terms.stands(Withdrawal::Truth) {
+        builder.mean();
+        builder.cost();
+    }
+    Plan { claims: builder.claims, beside: Vec::new() }
+}
+
+impl<'b> Builder<'_, 'b> {
+    fn new(said: TransmittanceClaims, mean: Mean, terms: &'b Terms<'b>) -> Self {
+        let mut claims = Claims::default();
+        let keeps_tail = mean.truth.range.is_none() && mean.truth.variance.is_none();
+        let weights = claims.folds.add(Weights { column: WEIGHT, center: mean.truth.expected, keeps_tail });
+        let lookups = claims.folds.add(Lookups);
+        Self { terms, said, mean, claims, weights, lookups }
+    }
+
+    /// What holds whatever the mean, and what compares estimators and settings.
+    fn support(&mut self, external: bool) {
+        let (weights, lookups, truth) = (self.weights, self.lookups, self.mean.truth);
+        if self.said.bounded {
+            self.claims.push(Bounded { lookups });
+        }
+        self.claims.push(InsideRay { lookups });
+        self.claims.push(Estimates { column: WEIGHT, weights, range: truth.range });
+        if external {
+            self.claims.push(EnoughRows);
+        }
+        let spread = Spread { range: truth.range, binary: truth.binary };
+        self.claims.push(MeanAgreement { weights, spread });
+        let design_bias = self.mean.own.map_or(0.0, |own| own.expected - truth.expected);
+        let moments = self.mean.moments;
+        self.claims.push(EfficiencyClaim { weights, lookups, truth, design_bias, moments });
+    }
+
+    /// The mean, the one that the estimator has by design, and the second moment.
+    fn mean(&mut self) {
+        let (weights, Mean { truth, own, moments }) = (self.weights, &self.mean);
+        let fold = |bets| CapitalSums { column: WEIGHT, bets };
+        let capitals = bets(truth, self.terms.bias_bound).map(|bets| self.claims.folds.add(fold(bets)));
+        let (truth, own, moments, order) = (*truth, *own, *moments, self.said.order);
+        self.claims.push(WeightClaim { weights, truth, own, order, capitals });
+        if let Some(mean) = own {
+            self.claims.push(OwnMean { weights, mean });
+        }
+        if let Some([_, m2, _, m4, _, m6]) = moments {
+            let (name, sums) = ("second_moment".to_string(), Moments::Column(weights));
+            self.claims.push(SecondMomentClaim { name, sums, moments: [m2, m4, m6], slack: truth.slack });
+        }
+    }
+
+    /// Collisions and look-ups. One estimate at a time tells no collisions.
+    fn cost(&mut self) {
+        let Terms { rows, tolerance: slack, route, .. } = *self.terms;
+        if let Some(mean) = self.said.poisson.filter(|_| route == Route::Block) {
+            let fold = Collisions { column: COLLISIONS, histogram: Histogram::Marginal };
+            let counts = self.claims.folds.add(fold);
+            self.claims.push(PoissonClaim { mean, counts, slack });
+        }
+        if let Some(expected) = self.said.lookups {
+            self.claims.push(LookupsClaim { expected, lookups: self.lookups, rows, slack });
+        }
+    }
+}
