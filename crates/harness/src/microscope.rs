@@ -20,7 +20,7 @@ use crate::plan::Plan;
 use crate::sample::{Unfinished, columns, sample_from};
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_draws::random::Script;
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, MissingColumn, Streams, column};
 use freepath_estimators::Medium;
 use freepath_statistics::special::student_t_two_sided;
 use freepath_statistics::tally::PowerSums;
@@ -103,7 +103,7 @@ fn scramble(
         let script = Script { prefix: net.words(i, &mut key(i).lane(1)), repeat: false };
         sample_from(subject, Streams::new(key(i)).scripted(script), &mut draws)
             .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-        values.push(value(subject.work, &draws));
+        values.push(value(subject.work, &draws).map_err(|missing| missing.to_string())?);
         if values.len() == 256 || i + 1 == focus.points {
             sums.merge(&PowerSums::of(sums.center, &values));
             values.clear();
@@ -113,12 +113,13 @@ fn scramble(
 }
 
 /// What the mean is taken of.
-fn value(work: Work, draws: &Draws) -> f64 {
-    match work {
-        Work::Exact | Work::FreePath(_) if draws.t[0].is_nan() => f64::NAN,
-        Work::Exact | Work::FreePath(_) => f64::from(u8::from(draws.t[0] == f64::INFINITY)),
-        _ => draws.weight[0],
-    }
+fn value(work: Work, draws: &Draws) -> Result<f64, MissingColumn> {
+    let column = match work {
+        Work::Exact | Work::FreePath(_) => column::T,
+        Work::ClosedForm | Work::Transmittance(_) | Work::Chromatic(_) | Work::Samples(..) => column::WEIGHT,
+    };
+    let value = draws.f64(column)?[0];
+    Ok(if column == column::T && !value.is_nan() { f64::from(u8::from(value == f64::INFINITY)) } else { value })
 }
 
 fn expected(plan: &Plan, truth: &dyn Medium) -> f64 {

@@ -5,10 +5,10 @@ use crate::fault::{BlockContext, Fault, FaultyMedium, FaultyRng, WalkContext};
 use crate::samples::SampleKind as Kind;
 use crate::subject::{Route, Scene, Subject, Work};
 use freepath_draws::random::{Spent, exponential};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{ChannelColumns, Draws, Key, PathColumns, Row, Streams, column};
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{Extinction, FreePath, Medium};
+use freepath_estimators::{ChromaticSampler, Extinction, FreePath, Medium};
 use freepath_statistics::tally::NullTally;
 use std::any::Any;
 use std::cell::RefCell;
@@ -31,20 +31,23 @@ pub struct BlockRecord {
 /// The columns that a subject's draws need.
 #[must_use]
 pub fn columns(subject: &Subject, rows: usize) -> Draws {
-    let draws = Draws::new(rows);
+    Draws::new(&row(subject), rows)
+}
+
+fn row(subject: &Subject) -> Row {
+    let (t, weight) = (Row::new().with_f64(column::T), Row::new().with_f64(column::WEIGHT));
+    let path = t.clone().with_f64(column::WEIGHT).with_u32(column::COLLISIONS);
     match (subject.work, subject.scene) {
-        (Work::FreePath(sampler), _) if sampler.marked() => {
-            draws.with_t().with_weight().with_collisions().with_mark()
-        }
-        (Work::Exact | Work::FreePath(_), _) => draws.with_t().with_weight().with_collisions(),
-        (Work::ClosedForm | Work::Transmittance(_), _) => draws.with_weight().with_collisions(),
-        (Work::Samples(Kind::FreePath, _), _) => draws.with_t(),
-        (Work::Samples(Kind::WeightedFreePath, _), _) => draws.with_t().with_channels(1),
-        (Work::Samples(Kind::Transmittance, _), _) => draws.with_weight(),
+        (Work::FreePath(sampler), _) if sampler.marked() => path.with_f64(column::AUXILIARY),
+        (Work::Exact | Work::FreePath(_), _) => path,
+        (Work::ClosedForm | Work::Transmittance(_), _) => weight.with_u32(column::COLLISIONS),
+        (Work::Samples(Kind::FreePath, _), _) => t,
+        (Work::Samples(Kind::WeightedFreePath, _), _) => t.with_channels(1),
+        (Work::Samples(Kind::Transmittance, _), _) => weight,
         (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Chromatic(medium)) => {
-            draws.with_t().with_channels(medium.media().len())
+            t.with_channels(medium.media().len())
         }
-        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Grey { .. }) => draws,
+        (Work::Chromatic(_) | Work::Samples(Kind::Chromatic, _), Scene::Grey { .. }) => Row::new(),
     }
 }
 
@@ -71,7 +74,9 @@ pub fn sample_block(
     let record = sample_watched(subject, Streams::new(key), draws, watch)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
     let context = BlockContext { key: faulty_key(subject, key), first, work: subject.work, scene: subject.scene };
-    subject.faults.iter().for_each(|fault| fault.corrupt_draws(&context, draws));
+    for fault in subject.faults {
+        fault.corrupt_draws(&context, draws).map_err(|missing| missing.to_string())?;
+    }
     Ok(record)
 }
 
@@ -89,9 +94,9 @@ fn sample_watched(
     draws: &mut Draws,
     watch: Option<&RefCell<NullTally>>,
 ) -> Result<BlockRecord, Unfinished> {
-    let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
-    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), shape(draws));
-    blank(draws);
+    let budget = subject.lookups_per_draw.saturating_mul(draws.rows() as u64);
+    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), draws.shape());
+    draws.blank();
     let started = Instant::now();
     let run = AssertUnwindSafe(|| match subject.scene {
         Scene::Grey { truth, seen } => {
@@ -103,10 +108,10 @@ fn sample_watched(
     });
     let (audit, spent) = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if spent {
-        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows);
+        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows());
         return Err(Unfinished::Spent(why));
     }
-    if shape != self::shape(draws) {
+    if shape != draws.shape() {
         return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
     Ok(BlockRecord { audit, seconds: started.elapsed().as_secs_f64() })
@@ -125,19 +130,6 @@ fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
         Some(script) => Streams::new(key).scripted(script.clone()),
         None => Streams::new(key),
     }
-}
-
-/// No draw of an earlier block may stand in for one that the subject forgets to write.
-fn blank(draws: &mut Draws) {
-    let columns = [&mut draws.t, &mut draws.weight, &mut draws.mark].into_iter().chain(&mut draws.channels);
-    columns.for_each(|column| column.fill(f64::NAN));
-    draws.collisions.fill(0);
-}
-
-/// The length of every column.
-fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
-    let columns = [&draws.t, &draws.weight, &draws.mark].into_iter().chain(&draws.channels);
-    (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
 fn why(payload: &(dyn Any + Send)) -> Unfinished {
@@ -180,14 +172,16 @@ fn block(work: Work, truth: &dyn Medium, medium: &dyn Extinction, streams: &Stre
 fn one_by_one(work: Work, truth: &dyn Medium, medium: &FaultyMedium, streams: &Streams, draws: &mut Draws) {
     let mut stream = streams.rng();
     let mut rng = FaultyRng::new(&mut stream, medium.overlays());
-    for row in 0..draws.rows {
+    let with_auxiliary = draws.row().has(column::AUXILIARY);
+    let mut columns = PathColumns::of(draws);
+    for row in 0..columns.rows() {
         let path = loop {
             medium.begin();
             let path = match work {
-                Work::FreePath(sampler) if draws.mark.is_empty() => sampler.sample(medium, &mut rng),
+                Work::FreePath(sampler) if !with_auxiliary => sampler.sample(medium, &mut rng),
                 Work::FreePath(sampler) => {
                     let (path, mark) = sampler.sample_marked(medium, &mut rng);
-                    draws.mark[row] = mark;
+                    columns.put_auxiliary(row, mark);
                     path
                 }
                 Work::Transmittance(estimator) => {
@@ -200,20 +194,20 @@ fn one_by_one(work: Work, truth: &dyn Medium, medium: &FaultyMedium, streams: &S
                 break path;
             }
         };
-        draws.put(row, path.t, path.weight, path.collisions);
+        columns.put(row, path.t, path.weight, path.collisions);
     }
 }
 
 /// The harness's own sources: inversion of tau, and exp(-tau).
 fn from_truth(work: Work, truth: &dyn Medium, streams: &Streams, draws: &mut Draws) {
     let transmittance = libm::exp(-truth.tau(truth.length()));
-    let mut rng = streams.rng();
-    for row in 0..draws.rows {
+    let (mut rng, mut columns) = (streams.rng(), PathColumns::of(draws));
+    for row in 0..columns.rows() {
         let (t, weight) = match work {
             Work::Exact => (truth.inverse_tau(exponential(&mut rng)), 1.0),
             _ => (f64::INFINITY, transmittance),
         };
-        draws.put(row, t, weight, 0);
+        columns.put(row, t, weight, 0);
     }
 }
 
@@ -232,17 +226,19 @@ fn chromatic(
     let seen: Vec<Channel> =
         audited.iter().zip(&channels).map(|(a, c)| Channel { extinction: a, albedo: c.albedo }).collect();
     if subject.route == Route::Scalar {
-        let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
-        for row in 0..draws.rows {
-            let t = sampler.sample(&seen, &mut rng, &mut weights);
-            draws.put(row, t, 1.0, 0);
-            for (column, weight) in draws.channels.iter_mut().zip(&weights) {
-                column[row] = *weight;
-            }
-        }
+        chromatic_one_by_one(sampler, &seen, streams, draws);
     } else {
         sampler.sample_block(&seen, streams, draws);
     }
     let record = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
     (record, audited.iter().any(Audited::spent))
+}
+
+fn chromatic_one_by_one(sampler: &dyn ChromaticSampler, seen: &[Channel], streams: &Streams, draws: &mut Draws) {
+    let Ok(mut columns) = ChannelColumns::of(draws) else { return }; // unwritten rows are NaN
+    let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
+    for row in 0..columns.t.len() {
+        let t = sampler.sample(seen, &mut rng, &mut weights);
+        columns.put(row, t, &weights);
+    }
 }

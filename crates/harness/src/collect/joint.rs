@@ -2,7 +2,7 @@ use crate::audit::Audit;
 use crate::plan::{LawPlan, Plan};
 use crate::sample::sample_in_parts;
 use crate::subject::Subject;
-use freepath_draws::{Draws, Key};
+use freepath_draws::{Draws, Key, MissingColumn, column};
 use freepath_statistics::tally::{CellTally, MarkTally, NullTally};
 use std::cell::RefCell;
 
@@ -59,17 +59,19 @@ impl Joint {
             && let Some(cut) = law.cut
         {
             let key = Key { subject: key.subject ^ IN_PARTS, ..key };
-            let audit = sample_in_parts(subject, cut, key, &mut draws.t)?;
-            series.observe(&law.truth, &draws.t, index);
+            let t = draws.f64_mut(column::T).map_err(|missing| missing.to_string())?;
+            let audit = sample_in_parts(subject, cut, key, t)?;
+            series.observe(&law.truth, t, index);
             self.audit = self.audit.plus(audit);
         }
         Ok(())
     }
 
-    pub(super) fn marks(&mut self, law: &LawPlan, draws: &Draws, index: &[u32]) {
+    pub(super) fn marks(&mut self, law: &LawPlan, draws: &Draws, index: &[u32]) -> Result<(), MissingColumn> {
         if let (Some(marks), Some(scores)) = (&mut self.marks, &law.scores) {
-            marks.observe(scores, &draws.mark, index);
+            marks.observe(scores, draws.f64(column::AUXILIARY)?, index);
         }
+        Ok(())
     }
 
     pub(super) fn merge(&mut self, other: &Self) {

@@ -26,7 +26,7 @@ impl Reader<'_> {
     /// The number of the next block and the seconds that it took to read; none at the end.
     fn next(&mut self, draws: &mut Draws) -> Option<Result<(u64, f64), (u64, String)>> {
         let (started, block) = (Instant::now(), self.blocks.next()?);
-        resize(draws, BLOCK);
+        draws.resize(BLOCK);
         match self.rows.read(draws) {
             Err(why) => {
                 self.blocks.start = self.blocks.end;
@@ -37,25 +37,21 @@ impl Reader<'_> {
                 None
             }
             Ok(rows) => {
-                resize(draws, rows);
+                draws.resize(rows);
                 Some(Ok((block, started.elapsed().as_secs_f64())))
             }
         }
     }
 }
 
-/// Makes room for so many rows in the columns that are wanted.
-fn resize(draws: &mut Draws, rows: usize) {
-    draws.rows = rows;
-    let columns = [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels);
-    columns.filter(|column| !column.is_empty()).for_each(|column| column.resize(rows, f64::NAN));
-}
-
 impl Worker {
     /// The next block, whichever it is.
     fn take(&mut self, plan: &Plan, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
         let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
-        Some(next.map(|(block, seconds)| self.tally(plan, block, block - first < FIRST_BLOCKS, seconds)))
+        Some(next.and_then(|(block, seconds)| {
+            let sums = self.tally(plan, block, block - first < FIRST_BLOCKS, seconds);
+            sums.map_err(|missing| (block, missing.to_string()))
+        }))
     }
 }
 

@@ -2,7 +2,7 @@ use super::{Counts, FIRST_BLOCKS, Joint};
 use crate::plan::{ChannelClaim, Plan};
 use crate::sample::{columns, sample_block};
 use crate::subject::{BLOCK, Subject};
-use freepath_draws::{Draws, Key};
+use freepath_draws::{Draws, Key, MissingColumn, column};
 use freepath_statistics::sequence::Capitals;
 use freepath_statistics::tally::{CellTally, CountTally, Extremes, PowerSums, Tail};
 use std::sync::{Mutex, PoisonError};
@@ -52,75 +52,94 @@ impl Worker {
         let record = sample_block(subject, key, row, &mut self.draws, watch.as_ref())?;
         self.counts.audit = self.counts.audit.plus(record.audit);
         self.counts.lookups.observe(record.audit.lookups);
-        let sums = self.tally(plan, key.block, first, record.seconds);
+        let sums = self.tally(plan, key.block, first, record.seconds).map_err(|missing| missing.to_string())?;
         self.counts.joint.watched(watch, &self.index);
         Ok(BlockSums { lookups: record.audit.lookups, ..sums })
     }
 
     /// Folds the draws of `block`, which took so many seconds.
-    pub(super) fn tally(&mut self, plan: &Plan, block: u64, first: bool, seconds: f64) -> BlockSums {
-        self.count(plan, first);
-        let early = if block == 0 { self.early(plan) } else { Vec::new() };
-        let mean = plan.mean.as_ref().map(|mean| PowerSums::of(mean.truth.expected, &self.draws.weight));
-        if let (Some(_), Some(Some(tail))) = (&mean, self.counts.tails.first_mut()) {
-            tail.observe(&self.draws.weight);
+    pub(super) fn tally(
+        &mut self,
+        plan: &Plan,
+        block: u64,
+        first: bool,
+        seconds: f64,
+    ) -> Result<BlockSums, MissingColumn> {
+        self.count(plan, first)?;
+        let early = if block == 0 { self.early(plan)? } else { Vec::new() };
+        let (mut sums, mut capitals) = (None, Capitals::default());
+        if let Some(mean) = &plan.mean {
+            let weight = self.draws.f64(column::WEIGHT)?;
+            sums = Some(PowerSums::of(mean.truth.expected, weight));
+            if let Some(Some(tail)) = self.counts.tails.first_mut() {
+                tail.observe(weight);
+            }
         }
-        let capitals = plan.bets.map(|bets| bets.on(&self.draws.weight)).unwrap_or_default();
-        let rows = self.draws.rows as u64;
-        BlockSums { block, rows, mean, lookups: 0, capitals, channels: self.channels(plan), seconds, early }
+        if let Some(bets) = plan.bets {
+            capitals = bets.on(self.draws.f64(column::WEIGHT)?);
+        }
+        let (rows, channels) = (self.draws.rows() as u64, self.channels(plan)?);
+        Ok(BlockSums { block, rows, mean: sums, lookups: 0, capitals, channels, seconds, early })
     }
 
-    fn count(&mut self, plan: &Plan, first: bool) {
+    fn count(&mut self, plan: &Plan, first: bool) -> Result<(), MissingColumn> {
         let Self { draws, index, counts, .. } = self;
         if let (Some(law), Some(cells)) = (&plan.law, &mut counts.cells) {
-            cells.observe(&law.truth, &draws.t, index);
+            let t = draws.f64(column::T)?;
+            cells.observe(&law.truth, t, index);
             if let Some(ends) = &mut counts.ends {
-                ends.observe(&draws.t);
+                ends.observe(t);
             }
             if let Some(scores) = &law.scores {
                 counts.lag.observe(scores, index);
             }
-            counts.joint.marks(law, draws, index);
+            counts.joint.marks(law, draws, index)?;
             if law.pair.is_some() {
-                counts.ties.observe(&draws.t, first);
+                counts.ties.observe(t, first);
             }
-            let weighted = draws.weight.iter().filter(|weight| weight.to_bits() != 1f64.to_bits());
-            counts.weighted += weighted.count() as u64;
+            if draws.row().has(column::WEIGHT) {
+                let weights = draws.f64(column::WEIGHT)?.iter();
+                counts.weighted += weights.filter(|weight| weight.to_bits() != 1f64.to_bits()).count() as u64;
+            }
         } else if let Some(channels) = &plan.channels {
             let inside = |t: f64| (t >= 0.0 && t <= channels.length) || t == f64::INFINITY;
-            let count = |stray: &dyn Fn(f64) -> bool| draws.t.iter().filter(|&&t| stray(t)).count() as u64;
+            let t = draws.f64(column::T)?;
+            let count = |stray: &dyn Fn(f64) -> bool| t.iter().filter(|&&t| stray(t)).count() as u64;
             counts.strays[0] += count(&f64::is_nan);
             counts.strays[1] += count(&|t| !t.is_nan() && !inside(t));
         }
         if let Some(collisions) = &mut counts.collisions {
-            collisions.observe(&draws.collisions, index);
+            collisions.observe(draws.u32(column::COLLISIONS)?, index);
         }
+        Ok(())
     }
 
     /// Sums over the first 64, 128, .. draws, so that the running mean begins early.
-    fn early(&self, plan: &Plan) -> Vec<PowerSums> {
-        let Some(mean) = &plan.mean else { return Vec::new() };
+    fn early(&self, plan: &Plan) -> Result<Vec<PowerSums>, MissingColumn> {
+        let Some(mean) = &plan.mean else { return Ok(Vec::new()) };
+        let weight = self.draws.f64(column::WEIGHT)?;
         let counts = (0..64).map(|i| (64.0 * libm::pow(1.09, f64::from(i))) as usize);
-        let part = |n: usize| PowerSums::of(mean.truth.expected, &self.draws.weight[..n]);
-        counts.take_while(|&n| n < self.draws.weight.len()).map(part).collect()
+        let part = |n: usize| PowerSums::of(mean.truth.expected, &weight[..n]);
+        Ok(counts.take_while(|&n| n < weight.len()).map(part).collect())
     }
 
-    fn channels(&mut self, plan: &Plan) -> Vec<PowerSums> {
+    fn channels(&mut self, plan: &Plan) -> Result<Vec<PowerSums>, MissingColumn> {
         let Some(channels) = &plan.channels else {
-            return Vec::new();
+            return Ok(Vec::new());
         };
         let Self { draws, masked, counts, .. } = self;
+        let (t, columns) = (draws.f64(column::T)?, draws.channels()?);
         let mut one = |(claim, tail): (&ChannelClaim, &mut Option<Tail>)| {
-            let column = &draws.channels[claim.channel];
+            let column = columns[claim.channel];
             masked.clear();
-            masked.extend(column.iter().zip(&draws.t).map(|(&w, &t)| {
+            masked.extend(column.iter().zip(t).map(|(&w, &t)| {
                 let counts = claim.event.holds(t) || t.is_nan();
                 if counts { w } else { 0.0 }
             }));
             tail.iter_mut().for_each(|tail| tail.observe(masked));
             PowerSums::of(claim.mean.expected, masked)
         };
-        channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect()
+        Ok(channels.claims.iter().zip(&mut counts.tails).map(&mut one).collect())
     }
 }
 

@@ -1,6 +1,7 @@
 use super::rows::draw;
 use crate::plan::Plan;
 use crate::subject::{Scene, Subject};
+use freepath_draws::column;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -25,7 +26,8 @@ pub(super) fn fact(subject: &Subject, plan: &Plan, seed: u64) -> Option<Fact> {
     }
     let draws = draw(subject, seed, 3000, ROWS)?;
     let due = |t: f64| u32::from(t < f64::INFINITY);
-    let wrong = draws.t.iter().zip(&draws.collisions).find(|&(&t, &count)| count != due(t))?;
+    let (t, collisions) = (draws.f64(column::T).ok()?, draws.u32(column::COLLISIONS).ok()?);
+    let wrong = t.iter().zip(collisions).find(|&(&t, &count)| count != due(t))?;
     let words =
         format!("a walk to t = {} made {} tentative collisions where {} is due", wrong.0, wrong.1, due(*wrong.0));
     Some(Fact::new(CHECK.0, Reason::WrongLaw, words))

@@ -3,7 +3,7 @@
 use crate::blocks::IDENTITIES;
 use crate::sample::{columns, sample_from};
 use crate::subject::Subject;
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Numbers, Streams};
 
 /// Look-ups and random words for each draw at most: a dearer subject is not asked.
 const BUDGET: u64 = 20_000;
@@ -20,10 +20,13 @@ fn cheaper(budget: u64) -> u64 {
     if budget < BUDGET { budget } else { BUDGET }
 }
 
-/// The bits of every column of every row.
+/// The bits of every number of every row.
 pub(super) fn bits(draws: &Draws) -> Vec<Vec<u64>> {
-    let columns = [&draws.t, &draws.weight].into_iter().chain(&draws.channels);
-    let columns: Vec<&Vec<f64>> = columns.filter(|column| !column.is_empty()).collect();
+    let numbers = draws.columns().filter_map(|(_, numbers)| match numbers {
+        Numbers::F64(numbers) => Some(numbers),
+        Numbers::U32(_) => None,
+    });
+    let columns: Vec<&[f64]> = numbers.collect();
     let of_row = |row: usize| columns.iter().map(|column| column[row].to_bits()).collect();
-    (0..draws.rows).map(of_row).collect()
+    (0..draws.rows()).map(of_row).collect()
 }

@@ -1,6 +1,7 @@
 use super::rows::draw;
 use crate::plan::Plan;
 use crate::subject::Subject;
+use freepath_draws::column;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -22,9 +23,10 @@ pub(super) fn fact(subject: &Subject, plan: &Plan, seed: u64) -> Option<Fact> {
         return None;
     }
     let draws = draw(subject, seed, 2000, ROWS)?;
-    let first = draws.weight[0];
+    let weight = draws.f64(column::WEIGHT).ok()?;
+    let first = weight[0];
     let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + subject.tolerance;
-    let other = draws.weight.iter().find(|weight| !same(weight))?;
+    let other = weight.iter().find(|weight| !same(weight))?;
     let words = format!("estimates are {first:e} and {other:e} where there can be no noise");
     Some(Fact::new(CHECK.0, Reason::WrongVariance, words))
 }

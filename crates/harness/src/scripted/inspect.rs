@@ -1,16 +1,29 @@
 use crate::plan::Plan;
 use crate::subject::Work;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_results::Reason;
 
 /// What is wrong for certain with the first draw that is.
 pub(super) fn draws(work: Work, plan: &Plan, length: f64, draws: &Draws) -> Option<(Reason, String)> {
-    (0..draws.rows).find_map(|row| match work {
-        Work::Exact | Work::FreePath(_) => path(draws.t[row], length).or_else(|| finite(draws.weight[row])),
-        Work::ClosedForm | Work::Transmittance(_) => estimate(plan, draws.weight[row]),
+    let found = wrong(work, plan, length, draws);
+    found.unwrap_or_else(|missing| Some((Reason::SubjectError, missing.to_string())))
+}
+
+fn wrong(work: Work, plan: &Plan, length: f64, draws: &Draws) -> Result<Option<(Reason, String)>, MissingColumn> {
+    let mut rows = 0..draws.rows();
+    Ok(match work {
+        Work::Exact | Work::FreePath(_) => {
+            let (t, weight) = (draws.f64(column::T)?, draws.f64(column::WEIGHT)?);
+            rows.find_map(|row| path(t[row], length).or_else(|| finite(weight[row])))
+        }
+        Work::ClosedForm | Work::Transmittance(_) => {
+            let weight = draws.f64(column::WEIGHT)?;
+            rows.find_map(|row| estimate(plan, weight[row]))
+        }
         Work::Chromatic(_) => {
-            let weights = || draws.channels.iter().find_map(|column| finite(column[row]));
-            path(draws.t[row], length).or_else(weights)
+            let (t, channels) = (draws.f64(column::T)?, draws.channels()?);
+            let weights = |row: usize| channels.iter().find_map(|column| finite(column[row]));
+            rows.find_map(|row| path(t[row], length).or_else(|| weights(row)))
         }
         Work::Samples(..) => None, // drawn elsewhere: no script reaches it
     })

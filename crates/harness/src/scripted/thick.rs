@@ -6,7 +6,7 @@ use crate::blocks::SCRIPTS;
 use crate::plan::Plan;
 use crate::sample::{columns, sample_from};
 use crate::subject::{Scene, Subject, Work};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Streams, column};
 use freepath_estimators::Medium;
 use freepath_estimators::medium::{ChromaticMedium, scaled};
 use freepath_results::Reason;
@@ -63,7 +63,8 @@ fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
     let (mut own, mut draws) = (columns(subject, ROWS), columns(&thick, ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;
-    if escaped(&draws) || own.t.iter().zip(&draws.t).any(|(a, b)| a.to_bits() == b.to_bits()) {
+    let mut pairs = own.f64(column::T).ok()?.iter().zip(draws.f64(column::T).ok()?);
+    if escaped(&draws) || pairs.any(|(a, b)| a.to_bits() == b.to_bits()) {
         return None; // it does not heed the medium
     }
     let (mut found, mut lookups) = (Findings::default(), 0);
@@ -83,5 +84,5 @@ fn in_thick(subject: &Subject, scene: Scene, seed: u64) -> Option<Findings> {
 }
 
 fn escaped(draws: &Draws) -> bool {
-    draws.t.iter().any(|&t| !(t < f64::INFINITY))
+    draws.f64(column::T).is_ok_and(|t| t.iter().any(|&t| !(t < f64::INFINITY)))
 }

@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 use freepath_estimators::claims::Channel;
 
 /// Weights are divided by the density of one channel alone, where that of the mixture is due.
@@ -27,13 +27,14 @@ impl Injection for ChannelPdf {
         target.is_one_of(&["balance", "power"])?;
         target.has_channel(self.channel)
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some((sampler, medium)) = context.chromatic() else { return Ok(()) };
         let channels = medium.channels();
-        for row in 0..draws.rows {
-            let t = draws.t[row];
+        let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
+        for (row, &mut t) in t.iter_mut().enumerate() {
             let factor = sampler.pdf(&channels, t).unwrap_or(f64::NAN) / density(&channels[self.channel], t);
-            draws.channels.iter_mut().for_each(|column| column[row] *= factor);
+            weights.iter_mut().for_each(|column| column[row] *= factor);
         }
+        Ok(())
     }
 }

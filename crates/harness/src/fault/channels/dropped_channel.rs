@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 
 /// A transparent channel is never drawn, and what it should carry is left to the rare escapes of the others (Cycles, commit
 /// 2276a98f8).
@@ -50,19 +50,20 @@ impl Injection for DroppedChannel {
             target.channels.is_some_and(|medium| medium.channels()[self.channel].extinction.mu(0.0) <= 0.0);
         if clear { Ok(()) } else { Err(format!("channel {} must be transparent", self.channel)) }
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some((sampler, medium)) = context.chromatic() else { return Ok(()) };
         let (channels, mut rng) = (medium.channels(), context.rng());
         let mut weights: Vec<f64> = vec![0.0; channels.len()];
-        for row in 0..draws.rows {
-            weights.iter_mut().zip(&draws.channels).for_each(|(weight, column)| *weight = column[row]);
-            let mut t = draws.t[row];
+        let mut columns = ChannelColumns::of(draws)?;
+        for row in 0..columns.t.len() {
+            weights.iter_mut().zip(&columns.channels).for_each(|(weight, column)| *weight = column[row]);
+            let mut t = columns.t[row];
             // the channel's own escapes weigh 1 in it, those of others 1 / T_c
             while t == f64::INFINITY && weights[self.channel] <= 1.0 {
                 t = sampler.sample(&channels, &mut rng, &mut weights);
             }
-            draws.put(row, t, 1.0, 0);
-            draws.channels.iter_mut().zip(&weights).for_each(|(column, weight)| column[row] = *weight);
+            columns.put(row, t, &weights);
         }
+        Ok(())
     }
 }

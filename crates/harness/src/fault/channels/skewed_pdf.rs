@@ -1,6 +1,6 @@
 use super::channel_pdf::density;
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::positive;
 
@@ -29,16 +29,17 @@ impl Injection for SkewedPdf {
         target.is_one_of(&["balance"])?;
         target.has_channel(self.channel)
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some((sampler, medium)) = context.chromatic() else { return };
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some((sampler, medium)) = context.chromatic() else { return Ok(()) };
         let channels = medium.channels();
-        let Some(mixture) = sampler.claims(&channels).mixture else { return };
-        for row in 0..draws.rows {
-            let t = draws.t[row];
+        let Some(mixture) = sampler.claims(&channels).mixture else { return Ok(()) };
+        let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
+        for (row, &mut t) in t.iter_mut().enumerate() {
             let right: f64 = channels.iter().zip(&mixture).map(|(channel, q)| q * density(channel, t)).sum();
             let own = mixture[self.channel] * density(&channels[self.channel], t);
             let factor = right / (right + (self.factor - 1.0) * own);
-            draws.channels.iter_mut().for_each(|column| column[row] *= factor);
+            weights.iter_mut().for_each(|column| column[row] *= factor);
         }
+        Ok(())
     }
 }

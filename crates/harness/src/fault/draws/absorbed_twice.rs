@@ -1,6 +1,6 @@
 use crate::fault::{BlockContext, Injection, Target};
 use crate::scene::Scene;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::not_negative;
 
@@ -25,10 +25,11 @@ impl Injection for AbsorbedTwice {
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.is_a("transmittance")
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         if let Scene::Grey { truth, .. } = context.scene {
             let factor = libm::exp(-self.mu_a * truth.length());
-            draws.weight.iter_mut().for_each(|weight| *weight *= factor);
+            draws.f64_mut(column::WEIGHT)?.iter_mut().for_each(|weight| *weight *= factor);
         }
+        Ok(())
     }
 }
