@@ -35,7 +35,7 @@ pub(crate) fn check(rounds: usize) -> Result<bool, Box<dyn std::error::Error>> {
         return samples::print(SAMPLE_ROUNDS);
     }
     simd::limit(Isa::Avx2);
-    let gain = delta(rounds, &scenes::gaussian()?, &scalar::Gaussian).gain();
+    let gain = delta(rounds, &scenes::gaussian()?, &scalar::Gaussian)?.gain();
     let [baseline, avx2, _] = floors(rounds);
     println!("delta gaussian, AVX2: scalar / tile {gain:.2} (at least {LEAST_GAIN})");
     println!("floor: AVX2 / baseline {:.2} (at most {MOST_FLOOR})", avx2 / baseline);

@@ -3,7 +3,7 @@
 use crate::clock::cpu;
 use crate::scenes;
 use crate::table::key;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, Row, Streams, column};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::Gaussian;
@@ -43,7 +43,7 @@ fn bare(medium: &Gaussian, draws: &mut Draws) {
 pub(crate) fn print(rounds: usize) -> Fallible<()> {
     let medium = scenes::gaussian()?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    let mut draws = Draws::new(BLOCK).with_t();
+    let mut draws = Draws::new(&Row::new().with_f64(column::T), BLOCK);
     let (mut with, mut without) = (vec![], vec![]);
     for _ in 0..rounds {
         let start = cpu();

@@ -3,7 +3,7 @@
 use crate::clock::{Contender, alternate};
 use crate::scalar::{self, Plain};
 use crate::{floor, scenes};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, MissingColumn, Row as Layout, Streams, column};
 use freepath_estimators::chromatic::Balance;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::free_path::DeltaTracking;
@@ -57,10 +57,10 @@ impl Row {
 }
 
 /// Steps per draw: tentative collisions, and the flight out of the medium.
-fn flights(draws: &Draws) -> f64 {
-    let collisions: u64 = draws.collisions.iter().map(|&n| u64::from(n)).sum();
-    let escapes = draws.t.iter().filter(|t| **t == f64::INFINITY).count() as u64;
-    (collisions + escapes) as f64 / draws.rows as f64
+fn flights(draws: &Draws) -> Result<f64, MissingColumn> {
+    let collisions: u64 = draws.u32(column::COLLISIONS)?.iter().map(|&n| u64::from(n)).sum();
+    let escapes = draws.f64(column::T)?.iter().filter(|t| **t == f64::INFINITY).count() as u64;
+    Ok((collisions + escapes) as f64 / draws.rows() as f64)
 }
 
 fn hand_written<'a, M: Plain>(medium: &'a M, walk: fn(&M, &mut Xoshiro256PlusPlus, &mut [f64])) -> Contender<'a> {
@@ -71,28 +71,28 @@ fn hand_written<'a, M: Plain>(medium: &'a M, walk: fn(&M, &mut Xoshiro256PlusPlu
     })
 }
 
-pub(crate) fn delta(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
+pub(crate) fn delta(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Fallible<Row> {
     let sampler = DeltaTracking::default();
-    let mut counted = Draws::new(BLOCK).with_t().with_collisions();
+    let mut counted = Draws::new(&Layout::new().with_f64(column::T).with_u32(column::COLLISIONS), BLOCK);
     sampler.sample_block(medium, &Streams::new(key(0)), &mut counted);
-    let mut draws = Draws::new(BLOCK).with_t();
+    let mut draws = Draws::new(&Layout::new().with_f64(column::T), BLOCK);
     let tile: Contender = Box::new(move |block| {
         sampler.sample_block(medium, &Streams::new(key(block)), &mut draws);
         black_box(&draws);
     });
-    Row::measure(rounds, flights(&counted), tile, hand_written(plain, scalar::delta))
+    Ok(Row::measure(rounds, flights(&counted)?, tile, hand_written(plain, scalar::delta)))
 }
 
-fn ratio(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Row {
+fn ratio(rounds: usize, medium: &dyn Extinction, plain: &impl Plain) -> Fallible<Row> {
     let estimator = RatioTracking::default();
-    let mut counted = Draws::new(BLOCK).with_t().with_collisions();
+    let mut counted = Draws::new(&Layout::new().with_f64(column::T).with_u32(column::COLLISIONS), BLOCK);
     estimator.estimate_block(medium, &Streams::new(key(0)), &mut counted);
-    let mut draws = Draws::new(BLOCK).with_weight();
+    let mut draws = Draws::new(&Layout::new().with_f64(column::WEIGHT), BLOCK);
     let tile: Contender = Box::new(move |block| {
         estimator.estimate_block(medium, &Streams::new(key(block)), &mut draws);
         black_box(&draws);
     });
-    Row::measure(rounds, flights(&counted), tile, hand_written(plain, scalar::ratio))
+    Ok(Row::measure(rounds, flights(&counted)?, tile, hand_written(plain, scalar::ratio)))
 }
 
 fn chromatic(rounds: usize) -> Fallible<Row> {
@@ -101,7 +101,7 @@ fn chromatic(rounds: usize) -> Fallible<Row> {
     for (sigma_t, sigma_s) in plain.sigma_t.into_iter().zip(plain.sigma_s) {
         channels.push((Constant::new(sigma_t, plain.length)?, sigma_s / sigma_t));
     }
-    let mut draws = Draws::new(BLOCK).with_t().with_channels(3);
+    let mut draws = Draws::new(&Layout::new().with_f64(column::T).with_channels(3), BLOCK);
     let sampler = Balance::default();
     let tile: Contender = Box::new(move |block| {
         let seen: Vec<Channel> =
@@ -126,12 +126,12 @@ pub(crate) fn print(rounds: usize, only: &str) -> Fallible<()> {
         "ns per draw", "tile", "scalar", "scalar / tile", "floor", "tile / floor"
     );
     let rows: [&dyn Fn() -> Fallible<Row>; 7] = [
-        &|| Ok(delta(rounds, &gaussian, &scalar::Gaussian)),
-        &|| Ok(delta(rounds, &sinusoid, &scalar::Sinusoid)),
-        &|| Ok(delta(rounds, &voxels, &plain)),
-        &|| Ok(ratio(rounds, &gaussian, &scalar::Gaussian)),
-        &|| Ok(ratio(rounds, &sinusoid, &scalar::Sinusoid)),
-        &|| Ok(ratio(rounds, &voxels, &plain)),
+        &|| delta(rounds, &gaussian, &scalar::Gaussian),
+        &|| delta(rounds, &sinusoid, &scalar::Sinusoid),
+        &|| delta(rounds, &voxels, &plain),
+        &|| ratio(rounds, &gaussian, &scalar::Gaussian),
+        &|| ratio(rounds, &sinusoid, &scalar::Sinusoid),
+        &|| ratio(rounds, &voxels, &plain),
         &|| chromatic(rounds),
     ];
     for (row, name) in rows.iter().zip(NAMES) {

@@ -1,7 +1,7 @@
 //! The same seed gives the same bytes: for any number of threads, for every instruction set, and between versions.
 
 use freepath_draws::simd::{Isa, detect, limit};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Row, Streams, column};
 use freepath_estimators::free_path::DeltaTracking;
 use freepath_estimators::medium::{Gaussian, Sinusoid};
 use freepath_estimators::transmittance::RatioTracking;
@@ -76,17 +76,17 @@ fn streams() -> Streams {
 #[test]
 fn the_first_draws_of_a_seed_are_pinned() -> Result<(), Box<dyn std::error::Error>> {
     let medium = Gaussian::new(4.0, 0.9, 0.25, 2.0, 0.0)?;
-    let mut block = Draws::new(1000).with_t();
+    let mut block = Draws::new(&Row::new().with_f64(column::T), 1000);
     DeltaTracking::default().sample_block(&medium, &streams(), &mut block);
     let streams = streams();
     let mut rng = streams.rng();
     let scalar: Vec<f64> = (0..3).map(|_| DeltaTracking::default().sample(&medium, &mut rng).t).collect();
     let wave = Sinusoid::new(1.0, 0.9, 2.0, 2.185, 0.7)?;
-    let mut ratio = Draws::new(1000).with_weight();
+    let mut ratio = Draws::new(&Row::new().with_f64(column::WEIGHT), 1000);
     RatioTracking {}.estimate_block(&wave, &streams, &mut ratio);
-    assert_eq!(bits(&block.t[..3]), PINNED_BLOCK);
+    assert_eq!(bits(&block.f64(column::T)?[..3]), PINNED_BLOCK);
     assert_eq!(bits(&scalar), PINNED_SCALAR);
-    assert_eq!(bits(&ratio.weight[..3]), PINNED_RATIO);
+    assert_eq!(bits(&ratio.f64(column::WEIGHT)?[..3]), PINNED_RATIO);
     Ok(())
 }
 

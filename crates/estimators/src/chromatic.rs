@@ -2,7 +2,7 @@
 
 use crate::claims::{Channel, ChromaticClaims};
 use crate::parameter::ParameterError;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{ChannelColumns, Draws, Streams};
 
 mod balance;
 mod block;
@@ -16,16 +16,14 @@ pub trait ChromaticSampler: Send + Sync {
     /// One draw: the distance, infinity for the surface; `weights` has one place per channel.
     fn sample(&self, channels: &[Channel], rng: &mut dyn rand::Rng, weights: &mut [f64]) -> f64;
 
-    /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
-    /// [`ChromaticSampler::sample`].
+    /// One draw for each row of `out`, a function of the streams alone; a block without [`ChannelColumns`] stays blank.
+    /// Provided: a loop over [`ChromaticSampler::sample`].
     fn sample_block(&self, channels: &[Channel], streams: &Streams, out: &mut Draws) {
+        let Ok(mut columns) = ChannelColumns::of(out) else { return };
         let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; channels.len()]);
-        for row in 0..out.rows {
+        for row in 0..columns.t.len() {
             let t = self.sample(channels, &mut rng, &mut weights);
-            out.put(row, t, 1.0, 0);
-            for (column, weight) in out.channels.iter_mut().zip(&weights) {
-                column[row] = *weight;
-            }
+            columns.put(row, t, &weights);
         }
     }
 

@@ -4,7 +4,7 @@ use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
 use crate::woodcock::one_by_one;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams, column};
 
 pub(crate) mod delta_tracking;
 pub(crate) mod path;
@@ -24,14 +24,14 @@ pub trait FreePathSampler: Send + Sync {
     /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
     /// [`FreePathSampler::sample`], or [`FreePathSampler::sample_marked`] if `out` wants marks.
     fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        if out.mark.is_empty() {
+        if !out.row().has(column::AUXILIARY) {
             return one_by_one(streams, out, |rng| self.sample(medium, rng));
         }
-        let mut rng = streams.rng();
-        for row in 0..out.rows {
+        let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+        for row in 0..columns.rows() {
             let (path, mark) = self.sample_marked(medium, &mut rng);
-            out.put(row, path.t, path.weight, path.collisions);
-            out.mark[row] = mark;
+            columns.put(row, path.t, path.weight, path.collisions);
+            columns.put_auxiliary(row, mark);
         }
     }
 

@@ -9,7 +9,7 @@
 use crate::extinction::Extinction;
 use crate::free_path::path::FreePath;
 use freepath_draws::random::{exponential, uniform};
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams};
 
 mod rates;
 mod tile;
@@ -105,9 +105,9 @@ pub(crate) fn one_by_one(
     out: &mut Draws,
     mut draw: impl FnMut(&mut dyn rand::Rng) -> FreePath,
 ) {
-    let mut rng = streams.rng();
-    for row in 0..out.rows {
+    let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+    for row in 0..columns.rows() {
         let path = draw(&mut rng);
-        out.put(row, path.t, path.weight, path.collisions);
+        columns.put(row, path.t, path.weight, path.collisions);
     }
 }

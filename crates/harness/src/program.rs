@@ -161,7 +161,7 @@ impl ProgramRows<'_> {
 
 impl Rows for ProgramRows<'_> {
     fn read(&mut self, draws: &mut Draws) -> Result<usize, String> {
-        let rows = if self.left < draws.rows as u64 { self.left as usize } else { draws.rows };
+        let rows = if self.left < draws.rows() as u64 { self.left as usize } else { draws.rows() };
         if rows > 0 {
             self.fill(rows, draws).map_err(|why| self.program.error(&why))?;
         }

@@ -90,7 +90,7 @@ fn sample_watched(
         let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows);
         return Err(Unfinished::Spent(why));
     }
-    if shape != self::shape(draws) {
+    if shape != draws.shape() {
         return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
     Ok(BlockRecord { audit: looked.audit, seconds: started.elapsed().as_secs_f64() })
@@ -109,19 +109,6 @@ fn faulty_streams(subject: &Subject, streams: Streams) -> Streams {
         Some(script) => Streams::new(key).scripted(script.clone()),
         None => Streams::new(key),
     }
-}
-
-/// No draw of an earlier block may stand in for one that the subject forgets to write.
-fn blank(draws: &mut Draws) {
-    let columns = [&mut draws.t, &mut draws.weight, &mut draws.mark].into_iter().chain(&mut draws.channels);
-    columns.for_each(|column| column.fill(f64::NAN));
-    draws.collisions.fill(0);
-}
-
-/// The length of every column.
-fn shape(draws: &Draws) -> (usize, usize, Vec<usize>) {
-    let columns = [&draws.t, &draws.weight, &draws.mark].into_iter().chain(&draws.channels);
-    (draws.rows, draws.collisions.len(), columns.map(Vec::len).collect())
 }
 
 fn why(payload: &(dyn Any + Send)) -> Unfinished {

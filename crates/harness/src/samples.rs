@@ -66,7 +66,7 @@ pub trait SampleSource: Send + Sync {
 /// The rows of one stage, in drawing order.
 pub trait Rows: Send {
     /// Writes the next block into the first rows of the wanted columns of `draws`, and says how many there are: fewer than
-    /// `draws.rows` at the end of the stage, 0 after it.
+    /// `draws.rows()` at the end of the stage, 0 after it.
     ///
     /// # Errors
     /// Why the rows end too early or cannot be used, in words.

@@ -1,6 +1,7 @@
 //! Files that a case names: read with hostile content in mind, refused with a message that repeats none of it but plain
 //! names of grids.
 
+use freepath_draws::MissingColumn;
 use freepath_estimators::medium::{Nodes, NodesRequest, Volume, VolumeRequest};
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -61,6 +62,12 @@ impl fmt::Display for Refusal {
 impl From<io::Error> for Refusal {
     fn from(error: io::Error) -> Self {
         Self::new(error.to_string(), "a file that can be read")
+    }
+}
+
+impl From<MissingColumn> for Refusal {
+    fn from(missing: MissingColumn) -> Self {
+        Self::new(missing.to_string(), "the columns of its kind")
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::volume::header_length;
 use super::{Answer, PLAIN, Reader, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Row, column};
 use freepath_harness::samples::{SampleKind, SampleSource, Wanted};
 use freepath_harness::source::samples::{Escape, Format, Request, SampleFile};
 use freepath_harness::subject::BLOCK;
@@ -173,9 +173,9 @@ fn any(open: impl Fn(&Request) -> Result<SampleFile, String>) -> Answer {
 /// All rows of both stages, which must be as many as the file says.
 fn read(file: &SampleFile, channels: usize) -> Answer {
     let (never, first) = (AtomicBool::new(false), file.first_rows().div_ceil(BLOCK as u64));
-    let mut draws =
-        Draws::new(BLOCK).with_t().with_weight().with_channels(if channels == 0 { 1 } else { channels });
-    let mut rows = 0;
+    let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT);
+    let row = row.with_channels(if channels == 0 { 1 } else { channels });
+    let (mut draws, mut rows) = (Draws::new(&row, BLOCK), 0);
     for blocks in [0..first, first..3 * first] {
         let wanted = Wanted { seed: 1, subject: 1, blocks, cancelled: &never };
         let mut stage = file.open(&wanted)?;

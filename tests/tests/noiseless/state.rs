@@ -1,7 +1,7 @@
 //! Subjects that are more than a function of their uniforms.
 
 use crate::subject::{caught, in_medium, sinusoid, tracking};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, PathColumns, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_results::Reason;
 use rand::{Rng, RngExt};
@@ -56,9 +56,10 @@ fn workers_with_one_seed_are_copies() {
         }
         fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
             let mut rng = Key { block: 0, ..streams.key() }.rng();
-            for row in 0..out.rows {
+            let mut columns = PathColumns::of(out);
+            for row in 0..columns.rows() {
                 let path = self.sample(medium, &mut rng);
-                out.put(row, path.t, path.weight, path.collisions);
+                columns.put(row, path.t, path.weight, path.collisions);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::path::{LENGTH, MU, medium};
 use freepath_draws::random::{exponential, uniform};
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams};
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::transmittance::RatioTracking;
 use freepath_estimators::{Extinction, FreePath, Medium, TransmittanceEstimator};
@@ -26,10 +26,10 @@ impl TransmittanceEstimator for Estimator {
         (self.change)(ratio(medium, rng, self.lookups), uniform(rng)).weight
     }
     fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        let mut rng = streams.rng();
-        for row in 0..out.rows {
+        let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+        for row in 0..columns.rows() {
             let path = (self.change)(ratio(medium, &mut rng, self.lookups), uniform(&mut rng));
-            out.put(row, path.t, path.weight, path.collisions);
+            columns.put(row, path.t, path.weight, path.collisions);
         }
     }
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {

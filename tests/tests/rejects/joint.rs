@@ -2,7 +2,7 @@
 
 use crate::path::{MU, in_part, path, right};
 use freepath_draws::random::{exponential, uniform};
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use rand::Rng;
 use std::sync::Mutex;
@@ -19,12 +19,13 @@ impl FreePathSampler for Twice {
     }
     fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         let (mut rng, mut kept) = (streams.rng(), vec![0.0; self.lag]);
-        for row in 0..out.rows {
+        let mut columns = PathColumns::of(out);
+        for row in 0..columns.rows() {
             let (round, place) = (row / self.lag, row % self.lag);
             let u = if round.is_multiple_of(2) { uniform(&mut rng) } else { (self.fold)(kept[place]) };
             kept[place] = u;
             let path = path(-libm::log1p(-u) / MU);
-            out.put(row, path.t, 1.0, 0);
+            columns.put(row, path.t, 1.0, 0);
         }
     }
 }
@@ -46,9 +47,9 @@ impl FreePathSampler for Resumed {
         FreePath::at(if t < medium.length() { t } else { f64::INFINITY })
     }
     fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
-        let mut rng = streams.rng();
-        for row in 0..out.rows {
-            out.put(row, path(right(&mut rng)).t, 1.0, 0);
+        let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+        for row in 0..columns.rows() {
+            columns.put(row, path(right(&mut rng)).t, 1.0, 0);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::facts::fails;
 use crate::path::{of_path, path, right};
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
 use freepath_harness::subject::BLOCK;
 use freepath_results::{Reason, Verdict};
@@ -22,10 +22,11 @@ impl FreePathSampler for Forgetful {
     }
     fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         let (mut rng, spoilt) = (streams.rng(), self.blocks.fetch_add(1, Ordering::Relaxed) > 20);
-        for row in 0..out.rows {
+        let mut columns = PathColumns::of(out);
+        for row in 0..columns.rows() {
             let path = path(right(&mut rng));
             if !(spoilt && row == 100) {
-                out.put(row, path.t, 1.0, 0);
+                columns.put(row, path.t, 1.0, 0);
             }
         }
         if spoilt {
@@ -38,7 +39,7 @@ impl FreePathSampler for Forgetful {
 fn a_row_that_is_not_written_or_not_there_fails() {
     let of = |spoil| of_path(&Forgetful { blocks: AtomicUsize::new(0), spoil }, 40 * BLOCK as u64);
     fails(Reason::NonFinite, &of(|_| ()));
-    fails(Reason::SubjectError, &of(|out| out.t.retain(|t| !t.is_nan())));
+    fails(Reason::SubjectError, &of(|out| out.resize(out.rows() - 1)));
 }
 
 /// Wrong enough for a second stage, and broken there.

@@ -3,7 +3,7 @@
 use super::mixture;
 use crate::claims::Channel;
 use freepath_draws::random::{LANES, ScriptedLanes, Uniforms};
-use freepath_draws::{Draws, Streams, math, simd};
+use freepath_draws::{ChannelColumns, Draws, Streams, math, simd};
 
 type Row = [f64; LANES];
 
@@ -44,17 +44,18 @@ pub(super) fn draws<H: Heuristic>(
 ) {
     let terms = terms(channels, mixture);
     let length = mixture::length(channels);
+    let Ok(mut columns) = ChannelColumns::of(out) else { return };
     match streams.script() {
         None => {
             let mut lanes = streams.key().lanes();
             simd::dispatch(
                 #[inline(always)]
-                || Block::new(heuristic, &terms, length).fill(&mut lanes, out),
+                || Block::new(heuristic, &terms, length).fill(&mut lanes, &mut columns),
             );
         }
         Some(script) => {
             let mut lanes = ScriptedLanes::new(streams.key(), script);
-            Block::new(heuristic, &terms, length).fill(&mut lanes, out);
+            Block::new(heuristic, &terms, length).fill(&mut lanes, &mut columns);
         }
     }
 }
@@ -105,11 +106,10 @@ impl<'a, H: Heuristic> Block<'a, H> {
     }
 
     #[inline(always)]
-    fn fill(&mut self, uniforms: &mut impl Uniforms, out: &mut Draws) {
+    fn fill(&mut self, uniforms: &mut impl Uniforms, out: &mut ChannelColumns) {
         let drawable = self.terms.iter().filter(|term| term.probability > 0.0).count();
         let (mut choice, mut u) = ([0.0; LANES], [0.0; LANES]);
-        out.collisions.fill(0);
-        for from in (0..out.rows).step_by(LANES) {
+        for from in (0..out.t.len()).step_by(LANES) {
             if drawable > 1 {
                 uniforms.fill(&mut choice);
             }
@@ -117,8 +117,7 @@ impl<'a, H: Heuristic> Block<'a, H> {
             let t = self.distances(&choice, &u);
             self.look_up(&t);
             let divisor = self.divisors(&choice);
-            write(&mut out.t, from, &t);
-            write(&mut out.weight, from, &[1.0; LANES]);
+            write(out.t, from, &t);
             for (k, column) in out.channels.iter_mut().enumerate() {
                 write(column, from, &self.weights(k, &t, &divisor));
             }
@@ -202,7 +201,7 @@ impl<'a, H: Heuristic> Block<'a, H> {
     }
 }
 
-/// Puts a row into a column from `from` on, as far as the column goes; one that is not wanted is empty.
+/// Puts a row into a column from `from` on, as far as the column goes.
 #[inline(always)]
 fn write(column: &mut [f64], from: usize, row: &Row) {
     let places = column.iter_mut().skip(from);

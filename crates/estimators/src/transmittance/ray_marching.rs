@@ -5,7 +5,7 @@ use crate::parameter::ParameterError;
 use crate::transmittance::TransmittanceEstimator;
 use freepath_draws::quadrature::integrate;
 use freepath_draws::random::{LANES, ScriptedLanes, Uniforms, uniform};
-use freepath_draws::{Draws, Streams, math, simd};
+use freepath_draws::{Draws, PathColumns, Streams, math, simd};
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -57,10 +57,10 @@ impl RayMarching {
 
     /// One estimate for each row, [`LANES`] of them side by side.
     #[inline(always)]
-    fn march(&self, medium: &dyn Extinction, uniforms: &mut impl Uniforms, out: &mut Draws) {
+    fn march(&self, medium: &dyn Extinction, uniforms: &mut impl Uniforms, out: &mut PathColumns) {
         let comb = Comb::new(self.steps, medium);
-        for first in (0..out.rows).step_by(LANES) {
-            let lanes = LANES.min(out.rows - first);
+        for first in (0..out.rows()).step_by(LANES) {
+            let lanes = LANES.min(out.rows() - first);
             let mut depth = self.depths(&comb, medium, uniforms, lanes);
             for depth in &mut depth {
                 *depth = math::exp(-*depth);
@@ -121,10 +121,11 @@ impl TransmittanceEstimator for RayMarching {
     }
 
     fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let out = &mut PathColumns::of(out);
         match (self.rule, streams.script()) {
             (MarchingRule::Midpoint, _) => {
                 let estimate = self.estimate(medium, &mut streams.rng());
-                (0..out.rows).for_each(|row| out.put(row, f64::INFINITY, estimate, 0));
+                (0..out.rows()).for_each(|row| out.put(row, f64::INFINITY, estimate, 0));
             }
             (_, None) => {
                 let mut lanes = streams.key().lanes();

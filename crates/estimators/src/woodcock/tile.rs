@@ -3,7 +3,7 @@
 use super::{Collision, CollisionRule, Form, Rates};
 use crate::extinction::Extinction;
 use freepath_draws::random::{LANES, ScriptedLanes, Uniforms};
-use freepath_draws::{Draws, Streams, math, simd};
+use freepath_draws::{Draws, PathColumns, Streams, math, simd};
 
 /// Walks in flight.
 const TILE: usize = 256;
@@ -21,7 +21,7 @@ pub fn walks<R: CollisionRule>(
     streams: &Streams,
     out: &mut Draws,
 ) {
-    let rates = &rates.tabulated();
+    let (rates, out) = (&rates.tabulated(), &mut PathColumns::of(out));
     match streams.script() {
         None => {
             let mut lanes = streams.key().lanes();
@@ -139,17 +139,17 @@ struct Flight<'a, R, U> {
 
 impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
     #[inline(always)]
-    fn run(&mut self, out: &mut Draws) {
+    fn run(&mut self, out: &mut PathColumns) {
         let mut tile = Tile::new(self.rule.start(), self.rates);
         let (mut mu, mut started, mut pass) = ([[0.0; LANES]; ROWS], 0, 0);
-        self.refill(&mut tile, pass, &mut started, out.rows);
+        self.refill(&mut tile, pass, &mut started, out.rows());
         while tile.len > 0 {
             self.fly(&mut tile, pass, out);
             let len = tile.len;
             self.medium.mu_tile(&tile.t.as_flattened()[..len], &mut mu.as_flattened_mut()[..len]);
             pass += 1;
             self.collide(&mut tile, &mu, pass, &mut started, out);
-            self.refill(&mut tile, pass, &mut started, out.rows);
+            self.refill(&mut tile, pass, &mut started, out.rows());
         }
     }
 
@@ -164,7 +164,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
 
     /// Moves every walk to its next tentative collision; those that leave the ray are written and dropped.
     #[inline(always)]
-    fn fly(&mut self, tile: &mut Tile<R::State>, pass: u32, out: &mut Draws) {
+    fn fly(&mut self, tile: &mut Tile<R::State>, pass: u32, out: &mut PathColumns) {
         let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for (r, set) in set.iter_mut().enumerate().take(tile.rows()) {
             self.uniforms.fill(&mut u);
@@ -218,7 +218,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
         mu: &Rows<f64>,
         pass: u32,
         started: &mut usize,
-        out: &mut Draws,
+        out: &mut PathColumns,
     ) {
         let (mut u, mut set): (_, Set) = ([0.0; LANES], [0; ROWS]);
         for r in 0..tile.rows() {
@@ -241,7 +241,7 @@ impl<R: CollisionRule, U: Uniforms> Flight<'_, R, U> {
                 let (t, state) = (tile.t[i / LANES][i % LANES], tile.state[i / LANES][i % LANES]);
                 let weight = self.rule.weight(state, false);
                 out.put(tile.walk[i] as usize, t, weight, pass - tile.born[i]);
-                if *started < out.rows {
+                if *started < out.rows() {
                     tile.start(i, *started as u32, pass, self.rule.start(), self.rates);
                     *started += 1;
                 } else {

@@ -2,7 +2,7 @@
 
 use freepath_draws::random::Script;
 use freepath_draws::simd::{self, Isa};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Row, Streams, column};
 use freepath_estimators::Extinction;
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::Channel;
@@ -43,7 +43,7 @@ fn streams(block: u64) -> Streams {
 }
 
 fn draw(sampler: &AnyChromatic, channels: &[Channel]) -> Draws {
-    let mut draws = Draws::new(ROWS).with_t().with_channels(channels.len());
+    let mut draws = Draws::new(&Row::new().with_f64(column::T).with_channels(channels.len()), ROWS);
     sampler.sample_block(channels, &streams(1), &mut draws);
     draws
 }
@@ -66,7 +66,7 @@ fn means_and_second_moments_are_as_claimed_in_every_channel() {
             let (draws, claims) = (draw(&sampler, &channels), sampler.claims(&channels));
             for (k, medium) in media.iter().enumerate() {
                 let part = |surface: bool, power: i32| -> Vec<f64> {
-                    let rows = draws.t.iter().zip(&draws.channels[k]);
+                    let rows = draws.f64(column::T).unwrap().iter().zip(draws.channels().unwrap()[k]);
                     rows.map(|(t, w)| if t.is_infinite() == surface { w.powi(power) } else { 0.0 }).collect()
                 };
                 let beam = libm::exp(-medium.mu(0.0) * medium.length());
@@ -102,7 +102,9 @@ fn the_unweighted_distance_follows_the_mixture_and_the_pdf() {
             };
             for x in [0.2, 0.7, 1.1, 1.6] {
                 let far = |&t: &f64| f64::from(u8::from(t > x));
-                assert!(z(&draws.t.iter().map(far).collect::<Vec<_>>(), beyond(x)).abs() < 4.5);
+                assert!(
+                    z(&draws.f64(column::T).unwrap().iter().map(far).collect::<Vec<_>>(), beyond(x)).abs() < 4.5
+                );
                 let pdf = sampler.pdf(&channels, x - 1e-5).unwrap();
                 let slope = (beyond(x - 2e-5) - beyond(x)) / 2e-5;
                 assert!((pdf - slope).abs() < 1e-6, "{sampler:?}: {pdf}, not {slope}");
@@ -152,10 +154,12 @@ fn extreme_words_give_weights_that_are_numbers() {
             for word in [0, u64::MAX, 1 << 63] {
                 let (prefix, repeat) = (vec![word], true);
                 let streams = streams(2).scripted(Script { prefix, repeat });
-                let mut draws = Draws::new(3).with_t().with_channels(3);
+                let mut draws = Draws::new(&Row::new().with_f64(column::T).with_channels(3), 3);
                 sampler.sample_block(&channels, &streams, &mut draws);
-                assert!(draws.t.iter().all(|&t| (t >= 0.0 && t < 1.6) || t == f64::INFINITY));
-                let mut weights = draws.channels.iter().flatten();
+                assert!(
+                    draws.f64(column::T).unwrap().iter().all(|&t| (t >= 0.0 && t < 1.6) || t == f64::INFINITY)
+                );
+                let mut weights = draws.channels().unwrap().into_iter().flatten();
                 assert!(weights.all(|&w| w >= 0.0 && w < f64::INFINITY), "{sampler:?}");
             }
         }
@@ -197,9 +201,9 @@ fn blocks_of_any_length_have_the_same_bits_on_every_instruction_set() {
     for sampler in samplers {
         let block = |isa, rows| {
             simd::limit(isa);
-            let mut draws = Draws::new(rows).with_t().with_channels(3);
+            let mut draws = Draws::new(&Row::new().with_f64(column::T).with_channels(3), rows);
             sampler.sample_block(&channels, &streams(3), &mut draws);
-            let columns = draws.channels.iter().chain([&draws.t]);
+            let columns = draws.channels().unwrap().into_iter().chain([draws.f64(column::T).unwrap()]);
             columns
                 .flat_map(|column| column[..1003].iter().map(|x| x.to_bits()).collect::<Vec<_>>())
                 .collect::<Vec<u64>>()

@@ -3,7 +3,7 @@
 use crate::media::{Counted, bump, constant, cubics, ramp, ramps, steps, zoo};
 use freepath_draws::random::{Script, exponential};
 use freepath_draws::simd::{self, Isa};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Row, Streams, column};
 use freepath_estimators::free_path::AnyFreePath;
 use freepath_estimators::{Cells, Extinction, Medium};
 
@@ -35,15 +35,15 @@ pub(crate) fn streams(block: u64) -> Streams {
 /// The draws of both paths, and the look-ups of each per draw.
 fn draw(sampler: &AnyFreePath, medium: &dyn Medium, rows: usize) -> [(Vec<f64>, f64); 2] {
     let counted = Counted::new(medium);
-    let mut block = Draws::new(rows).with_t().with_weight();
+    let mut block = Draws::new(&Row::new().with_f64(column::T).with_f64(column::WEIGHT), rows);
     sampler.sample_block(&counted, &streams(1), &mut block);
     let in_block = counted.lookups();
     let streams = streams(2);
     let mut rng = streams.rng();
     let scalar = (0..rows).map(|_| sampler.sample(&counted, &mut rng).t).collect();
     let alone = counted.lookups() - in_block;
-    assert!(block.weight.iter().all(|&w| w == 1.0));
-    [(block.t, in_block / rows as f64), (scalar, alone / rows as f64)]
+    assert!(block.f64(column::WEIGHT).unwrap().iter().all(|&w| w == 1.0));
+    [(block.f64(column::T).unwrap().to_vec(), in_block / rows as f64), (scalar, alone / rows as f64)]
 }
 
 #[test]
@@ -150,9 +150,9 @@ fn the_draws_have_the_same_bits_on_every_instruction_set() {
         for sampler in all(medium) {
             let bits = Isa::ALL.map(|isa| {
                 simd::limit(isa);
-                let mut draws = Draws::new(1000).with_t();
+                let mut draws = Draws::new(&Row::new().with_f64(column::T), 1000);
                 sampler.sample_block(medium, &streams(3), &mut draws);
-                draws.t.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+                draws.f64(column::T).unwrap().iter().map(|x| x.to_bits()).collect::<Vec<_>>()
             });
             assert!(bits[0] == bits[1] && bits[1] == bits[2], "{sampler:?}");
         }
@@ -173,11 +173,11 @@ fn extreme_words_end_on_the_ray() {
                 }
                 let prefix = vec![word; 70];
                 let streams = streams(4).scripted(Script { prefix, repeat }).with_budget(1_000_000);
-                let (mut draws, mut rng) = (Draws::new(300).with_t(), streams.rng());
+                let (mut draws, mut rng) = (Draws::new(&Row::new().with_f64(column::T), 300), streams.rng());
                 sampler.sample_block(&*medium, &streams, &mut draws);
-                draws.t.push(sampler.sample(&*medium, &mut rng).t);
+                let single = sampler.sample(&*medium, &mut rng).t;
                 let inside = |&t: &f64| (t >= 0.0 && t <= d) || t == f64::INFINITY;
-                assert!(draws.t.iter().all(inside), "{sampler:?} {word}");
+                assert!(draws.f64(column::T).unwrap().iter().all(inside) && inside(&single), "{sampler:?} {word}");
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::media::{Counted, bump, cubics, ramp, steps, zoo};
 use freepath_draws::random::Script;
 use freepath_draws::simd::{self, Isa};
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Row, Streams, column};
 use freepath_estimators::transmittance::AnyTransmittance;
 use freepath_estimators::{Extinction, Majorants, Medium, Under};
 
@@ -35,13 +35,13 @@ pub(crate) fn streams(block: u64) -> Streams {
 /// The draws of both paths, and the look-ups of each per draw.
 pub(crate) fn draw(estimator: &AnyTransmittance, medium: &dyn Medium, rows: usize) -> [(Draws, f64); 2] {
     let counted = Counted::new(medium);
-    let mut block = Draws::new(rows).with_weight().with_collisions();
+    let mut block = Draws::new(&Row::new().with_f64(column::WEIGHT).with_u32(column::COLLISIONS), rows);
     estimator.estimate_block(&counted, &streams(1), &mut block);
     let in_block = counted.lookups();
-    let (streams, mut scalar) = (streams(2), Draws::new(rows).with_weight());
+    let (streams, mut scalar) = (streams(2), Draws::new(&Row::new().with_f64(column::WEIGHT), rows));
     let mut rng = streams.rng();
-    for row in 0..rows {
-        scalar.put(row, 0.0, estimator.estimate(&counted, &mut rng), 0);
+    for weight in scalar.f64_mut(column::WEIGHT).unwrap() {
+        *weight = estimator.estimate(&counted, &mut rng);
     }
     let alone = counted.lookups() - in_block;
     [(block, in_block / rows as f64), (scalar, alone / rows as f64)]
@@ -71,19 +71,21 @@ fn three_moments_range_and_cost_are_as_claimed_on_both_paths() {
                     let mean = claims.own_mean.unwrap_or(transmittance);
                     assert!((moments[0] - mean).abs() < 1e-12 * mean, "{what}");
                     for k in 1..=3 {
-                        let z = z(&draws.weight, &moments, k);
+                        let z = z(draws.f64(column::WEIGHT).unwrap(), &moments, k);
                         assert!(z.abs() < 4.5, "{what}: moment {k}, z = {z}");
                     }
                 }
                 if let Some((low, high)) = claims.range {
                     let outside = |x: &&f64| !(**x >= low - 1e-15 && **x <= high * (1.0 + 1e-12));
-                    assert_eq!(draws.weight.iter().find(outside), None, "{what}");
+                    assert_eq!(draws.f64(column::WEIGHT).unwrap().iter().find(outside), None, "{what}");
                 }
                 if let Some(expected) = claims.lookups {
                     let error = 4.5 * (expected * (2.0 + expected) / ROWS as f64).sqrt() + 1e-9;
                     assert!((lookups - expected).abs() < error, "{what}: {lookups}, not {expected}");
                 }
-                assert!(!claims.binary || draws.weight.iter().all(|&x| x == 0.0 || x == 1.0));
+                assert!(
+                    !claims.binary || draws.f64(column::WEIGHT).unwrap().iter().all(|&x| x == 0.0 || x == 1.0)
+                );
             }
         }
     }
@@ -97,8 +99,9 @@ fn the_count_of_a_walk_that_never_stops_is_poisson() {
             let Some(mean) = claims.poisson else { continue };
             let [(draws, _), _] = draw(&estimator, &*medium, ROWS);
             let count = |x: &u32| f64::from(*x) - mean;
-            let excess = draws.collisions.iter().map(count).sum::<f64>() / ROWS as f64;
-            let spread = draws.collisions.iter().map(|x| count(x) * count(x)).sum::<f64>() / ROWS as f64;
+            let excess = draws.u32(column::COLLISIONS).unwrap().iter().map(count).sum::<f64>() / ROWS as f64;
+            let spread = draws.u32(column::COLLISIONS).unwrap().iter().map(|x| count(x) * count(x)).sum::<f64>()
+                / ROWS as f64;
             assert!(excess.abs() <= 4.5 * (mean / ROWS as f64).sqrt() + 1e-9);
             let error = ((mean + 2.0 * mean * mean) / ROWS as f64).sqrt();
             assert!((spread - mean).abs() <= 4.5 * error + 1e-9, "{estimator:?}");
@@ -112,9 +115,9 @@ fn ratio_and_roulette_need_no_bounding_majorant_but_pbrt_v3_does() {
     let (medium, truth) = (short(1.6), libm::exp(-3.2));
     let mean = |json: &str| {
         let [(draws, _), _] = draw(&named(json), &medium, 1_000_000);
-        let n = draws.weight.len() as f64;
-        let mean = draws.weight.iter().sum::<f64>() / n;
-        let square = draws.weight.iter().map(|x| x * x).sum::<f64>() / n;
+        let n = draws.f64(column::WEIGHT).unwrap().len() as f64;
+        let mean = draws.f64(column::WEIGHT).unwrap().iter().sum::<f64>() / n;
+        let square = draws.f64(column::WEIGHT).unwrap().iter().map(|x| x * x).sum::<f64>() / n;
         (mean - truth) / ((square - mean * mean) / n).sqrt()
     };
     assert!(mean(r#"{"ratio_tracking": {}}"#).abs() < 4.5);
@@ -131,9 +134,9 @@ fn the_draws_have_the_same_bits_on_every_instruction_set() {
         for estimator in all() {
             let bits = Isa::ALL.map(|isa| {
                 simd::limit(isa);
-                let mut draws = Draws::new(1000).with_weight();
+                let mut draws = Draws::new(&Row::new().with_f64(column::WEIGHT), 1000);
                 estimator.estimate_block(medium, &streams(3), &mut draws);
-                draws.weight.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+                draws.f64(column::WEIGHT).unwrap().iter().map(|x| x.to_bits()).collect::<Vec<_>>()
             });
             assert!(bits[0] == bits[1] && bits[1] == bits[2], "{estimator:?}");
         }
@@ -155,12 +158,12 @@ fn extreme_words_end_in_a_number_in_range() {
             ] {
                 let script = Script { prefix, repeat };
                 let streams = streams(4).scripted(script).with_budget(1_000_000);
-                let (mut draws, mut rng) = (Draws::new(300).with_weight(), streams.rng());
+                let (mut draws, mut rng) = (Draws::new(&Row::new().with_f64(column::WEIGHT), 300), streams.rng());
                 estimator.estimate_block(&*medium, &streams, &mut draws);
-                draws.weight.push(estimator.estimate(&*medium, &mut rng));
+                let single = estimator.estimate(&*medium, &mut rng);
                 let (low, high) = estimator.claims(&*medium).range.unwrap_or((-1e9, 1e9));
                 let inside = |x: &f64| *x >= low - 1e-15 && *x <= high * (1.0 + 1e-12);
-                assert!(draws.weight.iter().all(inside), "{estimator:?}");
+                assert!(draws.f64(column::WEIGHT).unwrap().iter().all(inside) && inside(&single), "{estimator:?}");
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::media::{Counted, bump, constant, ramp, zoo};
 use crate::transmittance::{all, draw, named, streams};
-use freepath_draws::Draws;
 use freepath_draws::quadrature::integrate;
+use freepath_draws::{Draws, Row, column};
 use freepath_estimators::transmittance::AnyTransmittance;
 use freepath_estimators::{Cells, Extinction, Majorants, Medium, Under};
 
@@ -59,7 +59,7 @@ fn no_variance_where_the_method_knows_the_medium() {
         for estimator in exact.map(named) {
             for (draws, _) in draw(&estimator, medium, 2000) {
                 let meets = |x: &f64| (x / truth - 1.0).abs() < 2e-15;
-                assert!(draws.weight.iter().all(meets), "{estimator:?}");
+                assert!(draws.f64(column::WEIGHT).unwrap().iter().all(meets), "{estimator:?}");
             }
         }
     }
@@ -69,7 +69,7 @@ fn no_variance_where_the_method_knows_the_medium() {
     {
         for estimator in all().iter().filter(|x| !format!("{x:?}").contains("Value")) {
             for (draws, _) in draw(estimator, medium, 2000) {
-                assert!(draws.weight.iter().all(|&x| x == 1.0), "{estimator:?}");
+                assert!(draws.f64(column::WEIGHT).unwrap().iter().all(|&x| x == 1.0), "{estimator:?}");
             }
         }
     }
@@ -121,10 +121,10 @@ fn a_block_of_any_size_costs_its_rows_alone() {
     {
         for rows in [1, 31, 32, 33, 257] {
             let counted = Counted::new(&medium);
-            let mut draws = Draws::new(rows).with_weight();
+            let mut draws = Draws::new(&Row::new().with_f64(column::WEIGHT), rows);
             estimator.estimate_block(&counted, &streams(5), &mut draws);
             assert_eq!(counted.lookups(), 13.0 * rows as f64);
-            assert!(draws.weight.iter().all(|x| x.is_finite()));
+            assert!(draws.f64(column::WEIGHT).unwrap().iter().all(|x| x.is_finite()));
         }
     }
     let whole = integrate(&|t| medium.mu(t), 0.0, 2.0, &[]).value;

@@ -25,7 +25,7 @@ impl Reader<'_> {
     /// The number of the next block and the seconds that it took to read; none at the end.
     fn next(&mut self, draws: &mut Draws) -> Option<Result<(u64, f64), (u64, String)>> {
         let (started, block) = (Instant::now(), self.blocks.next()?);
-        resize(draws, BLOCK);
+        draws.resize(BLOCK);
         match self.rows.read(draws) {
             Err(why) => {
                 self.blocks.start = self.blocks.end;
@@ -36,18 +36,11 @@ impl Reader<'_> {
                 None
             }
             Ok(rows) => {
-                resize(draws, rows);
+                draws.resize(rows);
                 Some(Ok((block, started.elapsed().as_secs_f64())))
             }
         }
     }
-}
-
-/// Makes room for so many rows in the columns that are wanted.
-fn resize(draws: &mut Draws, rows: usize) {
-    draws.rows = rows;
-    let columns = [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels);
-    columns.filter(|column| !column.is_empty()).for_each(|column| column.resize(rows, f64::NAN));
 }
 
 impl Worker {

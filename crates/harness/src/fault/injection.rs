@@ -1,5 +1,5 @@
 use super::{BlockContext, Overlay, RayView, Target, WalkContext};
-use freepath_draws::{Draws, Key};
+use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::{Majorants, Medium, ParameterError};
 
 /// The place where a fault is laid, which says how the subject must be driven: the folder of its file.
@@ -54,5 +54,10 @@ pub trait Injection: Send + Sync {
     }
 
     /// Changes the draws of a block.
-    fn corrupt_draws(&self, _context: &BlockContext, _draws: &mut Draws) {}
+    ///
+    /// # Errors
+    /// If they lack a column that the fault writes.
+    fn corrupt_draws(&self, _context: &BlockContext, _draws: &mut Draws) -> Result<(), MissingColumn> {
+        Ok(())
+    }
 }

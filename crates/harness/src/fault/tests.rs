@@ -4,7 +4,7 @@ use super::Fault;
 use crate::case::{CaseFile, Limits};
 use crate::sample::sample_block;
 use crate::subject::BLOCK;
-use freepath_draws::{Draws, Key};
+use freepath_draws::{Draws, Key, Numbers, NumbersMut, column};
 use std::path::Path;
 
 const A: &str = r#"{ "constant": { "mu": 1.0, "length": 2.0 } }"#;
@@ -34,10 +34,12 @@ fn drawn(medium: &str, subject: &str, fault: &str) -> Draws {
     for number in 0..8 {
         let key = Key { seed: 3, subject: 4, block: number };
         sample_block(&subject, key, number * BLOCK as u64, &mut block, None).expect("a block");
-        all.rows += block.rows;
-        all.t.extend(&block.t);
-        all.weight.extend(&block.weight);
-        all.channels.iter_mut().zip(&block.channels).for_each(|(all, column)| all.extend(column));
+        let rows = number as usize * BLOCK..(number as usize + 1) * BLOCK;
+        for ((_, all), (_, numbers)) in all.columns_mut().zip(block.columns()) {
+            if let (NumbersMut::F64(all), Numbers::F64(numbers)) = (all, numbers) {
+                all[rows.clone()].copy_from_slice(numbers);
+            }
+        }
     }
     all
 }
@@ -53,8 +55,9 @@ fn mean(values: &[f64]) -> (f64, f64) {
 /// The escape probability, or the mean estimate, is `known`, up to the digits that are known and 5 standard errors.
 fn is(known: f64, medium: &str, subject: &str, fault: &str) {
     let draws = drawn(medium, subject, fault);
-    let escaped: Vec<f64> = draws.t.iter().map(|t| f64::from(u8::from(*t == f64::INFINITY))).collect();
-    let (mean, error) = mean(if escaped.is_empty() { &draws.weight } else { &escaped });
+    let escaped = |t: &[f64]| t.iter().map(|t| f64::from(u8::from(*t == f64::INFINITY))).collect();
+    let estimates = || draws.f64(column::WEIGHT).expect("estimates").to_vec();
+    let (mean, error) = mean(&draws.f64(column::T).map_or_else(|_| estimates(), escaped));
     assert!((mean - known).abs() <= 0.003 * known + 5.0 * error, "{fault}: {mean} +- {error}, known {known}");
 }
 
@@ -118,7 +121,8 @@ fn products_kept_apart_are_nan_as_often_as_is_known() {
     let nan = |length: f64| {
         let medium = format!(r#"{{ "constant": {{ "mu": 1.0, "length": {length} }} }}"#);
         let loose = format!(r#"{RATIO}, "majorant": {{ "factor": 20.0 }}"#);
-        let weight = drawn(&medium, &loose, r#""split_products": {}"#).weight;
+        let draws = drawn(&medium, &loose, r#""split_products": {}"#);
+        let weight = draws.f64(column::WEIGHT).expect("estimates");
         weight.iter().filter(|weight| weight.is_nan()).count() as f64 / weight.len() as f64
     };
     assert!((nan(1.0) - 5e-4).abs() < 3e-4 && (nan(2.0) - 0.29).abs() < 0.01 && (nan(4.0) - 0.997).abs() < 2e-3);
@@ -137,7 +141,8 @@ fn spoilt_chromatic_weights_have_the_known_size() {
     let off = |subject: &str, fault: &str, known: [f64; 3]| {
         let draws = drawn(G, &format!(r#""chromatic": {{ "{subject}": {{}} }}"#), fault);
         for (k, known) in known.into_iter().enumerate() {
-            let escaped = draws.t.iter().zip(&draws.channels[k]);
+            let (t, channels) = (draws.f64(column::T).expect("distances"), draws.channels().expect("weights"));
+            let escaped = t.iter().zip(channels[k]);
             let at_end: Vec<f64> = escaped.map(|(t, w)| if *t == f64::INFINITY { *w } else { 0.0 }).collect();
             let ((mean, error), truth) = (mean(&at_end), libm::exp(-(k as f64 + 1.0)));
             assert!((mean / truth - 1.0 - known).abs() < 0.006 + 5.0 * error / truth, "{fault} {k}: {mean}");

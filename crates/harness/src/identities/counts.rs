@@ -22,7 +22,8 @@ pub(crate) fn counts(Ray { truth, seen }: Ray, probe: &Probe) -> Option<Fact> {
     }
     let draws = probe.draw(3000, ROWS)?;
     let due = |t: f64| u32::from(t < f64::INFINITY);
-    let wrong = draws.t.iter().zip(&draws.collisions).find(|&(&t, &count)| count != due(t))?;
+    let (t, collisions) = (draws.f64(column::T).ok()?, draws.u32(column::COLLISIONS).ok()?);
+    let wrong = t.iter().zip(collisions).find(|&(&t, &count)| count != due(t))?;
     let words =
         format!("a walk to t = {} made {} tentative collisions where {} is due", wrong.0, wrong.1, due(*wrong.0));
     Some(Fact::new(CHECK.0, Reason::WrongLaw, words))

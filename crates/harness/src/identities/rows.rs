@@ -2,10 +2,13 @@
 
 use freepath_draws::Draws;
 
-/// The bits of every column of every row.
+/// The bits of every number of every row.
 pub(super) fn bits(draws: &Draws) -> Vec<Vec<u64>> {
-    let columns = [&draws.t, &draws.weight].into_iter().chain(&draws.channels);
-    let columns: Vec<&Vec<f64>> = columns.filter(|column| !column.is_empty()).collect();
+    let numbers = draws.columns().filter_map(|(_, numbers)| match numbers {
+        Numbers::F64(numbers) => Some(numbers),
+        Numbers::U32(_) => None,
+    });
+    let columns: Vec<&[f64]> = numbers.collect();
     let of_row = |row: usize| columns.iter().map(|column| column[row].to_bits()).collect();
-    (0..draws.rows).map(of_row).collect()
+    (0..draws.rows()).map(of_row).collect()
 }

@@ -37,7 +37,8 @@ fn in_thick(subject: &Subject, experiment: &dyn Experiment, seed: u64) -> Option
     let (mut own, mut draws) = (subject.experiment.columns(ROWS), experiment.columns(ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;
-    if escaped(&draws) || own.t.iter().zip(&draws.t).any(|(a, b)| a.to_bits() == b.to_bits()) {
+    let mut pairs = own.f64(column::T).ok()?.iter().zip(draws.f64(column::T).ok()?);
+    if escaped(&draws) || pairs.any(|(a, b)| a.to_bits() == b.to_bits()) {
         return None; // it does not heed the medium
     }
     let (mut found, mut lookups) = (Findings::default(), 0);
@@ -57,5 +58,5 @@ fn in_thick(subject: &Subject, experiment: &dyn Experiment, seed: u64) -> Option
 }
 
 fn escaped(draws: &Draws) -> bool {
-    draws.t.iter().any(|&t| !(t < f64::INFINITY))
+    draws.f64(column::T).is_ok_and(|t| t.iter().any(|&t| !(t < f64::INFINITY)))
 }

@@ -203,7 +203,7 @@ impl FileRows<'_> {
 impl Rows for FileRows<'_> {
     fn read(&mut self, draws: &mut Draws) -> Result<usize, String> {
         let left = self.end - self.at;
-        let rows = if left < draws.rows as u64 { left as usize } else { draws.rows };
+        let rows = if left < draws.rows() as u64 { left as usize } else { draws.rows() };
         match self.fill(rows, draws) {
             Ok(()) => {
                 self.at += rows as u64;

@@ -30,10 +30,11 @@ impl Injection for ChannelPdf {
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
         let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let channels = medium.channels();
-        for row in 0..draws.rows {
-            let t = draws.t[row];
+        let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
+        for (row, &mut t) in t.iter_mut().enumerate() {
             let factor = sampler.pdf(&channels, t).unwrap_or(f64::NAN) / density(&channels[self.channel], t);
-            draws.channels.iter_mut().for_each(|column| column[row] *= factor);
+            weights.iter_mut().for_each(|column| column[row] *= factor);
         }
+        Ok(())
     }
 }

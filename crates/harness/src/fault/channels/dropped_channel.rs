@@ -54,15 +54,16 @@ impl Injection for DroppedChannel {
         let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let (channels, mut rng) = (medium.channels(), context.rng());
         let mut weights: Vec<f64> = vec![0.0; channels.len()];
-        for row in 0..draws.rows {
-            weights.iter_mut().zip(&draws.channels).for_each(|(weight, column)| *weight = column[row]);
-            let mut t = draws.t[row];
+        let mut columns = ChannelColumns::of(draws)?;
+        for row in 0..columns.t.len() {
+            weights.iter_mut().zip(&columns.channels).for_each(|(weight, column)| *weight = column[row]);
+            let mut t = columns.t[row];
             // the channel's own escapes weigh 1 in it, those of others 1 / T_c
             while t == f64::INFINITY && weights[self.channel] <= 1.0 {
                 t = sampler.sample(&channels, &mut rng, &mut weights);
             }
-            draws.put(row, t, 1.0, 0);
-            draws.channels.iter_mut().zip(&weights).for_each(|(column, weight)| column[row] = *weight);
+            columns.put(row, t, &weights);
         }
+        Ok(())
     }
 }

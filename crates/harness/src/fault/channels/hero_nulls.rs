@@ -24,11 +24,13 @@ impl Injection for HeroNulls {
         let channels = medium.channels();
         let mu = |k: usize| channels[k].extinction.mu(0.0);
         let densest = (0..channels.len()).fold(0, |most, k| if mu(k) > mu(most) { k } else { most });
-        for row in (0..draws.rows).filter(|&row| draws.t[row] == f64::INFINITY) {
+        let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
+        for row in (0..t.len()).filter(|&row| t[row] == f64::INFINITY) {
             // only its own escapes weigh 1 in the densest channel: those of others weigh T_densest / T_c
-            if draws.channels[densest][row] > 1.0 - 1e-12 {
-                draws.channels.iter_mut().for_each(|column| column[row] = 1.0);
+            if weights[densest][row] > 1.0 - 1e-12 {
+                weights.iter_mut().for_each(|column| column[row] = 1.0);
             }
         }
+        Ok(())
     }
 }

@@ -32,13 +32,14 @@ impl Injection for SkewedPdf {
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
         let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
         let channels = medium.channels();
-        let Some(mixture) = sampler.claims(&channels).mixture else { return };
-        for row in 0..draws.rows {
-            let t = draws.t[row];
+        let Some(mixture) = sampler.claims(&channels).mixture else { return Ok(()) };
+        let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
+        for (row, &mut t) in t.iter_mut().enumerate() {
             let right: f64 = channels.iter().zip(&mixture).map(|(channel, q)| q * density(channel, t)).sum();
             let own = mixture[self.channel] * density(&channels[self.channel], t);
             let factor = right / (right + (self.factor - 1.0) * own);
-            draws.channels.iter_mut().for_each(|column| column[row] *= factor);
+            weights.iter_mut().for_each(|column| column[row] *= factor);
         }
+        Ok(())
     }
 }

@@ -27,7 +27,8 @@ impl Injection for AbsorbedTwice {
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
         if let Some(truth) = context.drawn.medium {
             let factor = libm::exp(-self.mu_a * truth.length());
-            draws.weight.iter_mut().for_each(|weight| *weight *= factor);
+            draws.f64_mut(column::WEIGHT)?.iter_mut().for_each(|weight| *weight *= factor);
         }
+        Ok(())
     }
 }

@@ -1,6 +1,6 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
 use freepath_draws::random::uniform;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::{finite, require};
 
@@ -29,13 +29,14 @@ impl Injection for CompensatedRoulette {
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.is_a("transmittance")
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let mut rng = context.rng();
-        for weight in &mut draws.weight {
+        for weight in draws.f64_mut(column::WEIGHT)? {
             if *weight < self.below {
                 let survives = uniform(&mut rng) < self.survival;
                 *weight = if survives { *weight / self.survival } else { 0.0 };
             }
         }
+        Ok(())
     }
 }

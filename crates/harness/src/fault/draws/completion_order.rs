@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, NumbersMut, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 
@@ -24,23 +24,24 @@ impl Injection for CompletionOrder {
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.is_one_of(&["delta_tracking", "ratio_tracking", "residual_ratio_tracking"])
     }
-    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) {
-        let rows: Vec<usize> = (0..draws.rows).collect();
+    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let collisions = draws.u32(column::COLLISIONS)?.to_vec();
+        let rows: Vec<usize> = (0..draws.rows()).collect();
         for part in rows.chunks(self.window) {
             let mut order = part.to_vec();
-            order.sort_by_key(|&row| draws.collisions.get(row).copied().unwrap_or(0));
-            permute(&mut draws.t, part, &order);
-            permute(&mut draws.weight, part, &order);
-            permute(&mut draws.mark, part, &order);
-            permute(&mut draws.collisions, part, &order);
+            order.sort_by_key(|&row| collisions[row]);
+            for (_, numbers) in draws.columns_mut() {
+                match numbers {
+                    NumbersMut::F64(numbers) => permute(numbers, part, &order),
+                    NumbersMut::U32(counts) => permute(counts, part, &order),
+                }
+            }
         }
+        Ok(())
     }
 }
 
 fn permute<T: Copy>(column: &mut [T], to: &[usize], from: &[usize]) {
-    if column.is_empty() {
-        return;
-    }
     let moved: Vec<T> = from.iter().map(|&row| column[row]).collect();
     for (&row, value) in to.iter().zip(moved) {
         column[row] = value;

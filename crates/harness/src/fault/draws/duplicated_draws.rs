@@ -1,6 +1,6 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
 use freepath_draws::random::uniform;
+use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 
@@ -25,16 +25,23 @@ impl Injection for DuplicatedDraws {
     fn fits(&self, _target: &Target) -> Result<(), String> {
         Ok(())
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let mut rng = context.rng();
-        for row in 1..draws.rows {
+        let rows = draws.rows();
+        let mut columns: Vec<&mut [f64]> = numbers(draws).collect();
+        for row in 1..rows {
             if uniform(&mut rng) < self.share {
-                for column in [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels) {
-                    if !column.is_empty() {
-                        column[row] = column[row - 1];
-                    }
-                }
+                columns.iter_mut().for_each(|column| column[row] = column[row - 1]);
             }
         }
+        Ok(())
     }
+}
+
+/// All columns but counts.
+fn numbers(draws: &mut Draws) -> impl Iterator<Item = &mut [f64]> {
+    draws.columns_mut().filter_map(|(_, numbers)| match numbers {
+        NumbersMut::F64(numbers) => Some(numbers),
+        NumbersMut::U32(_) => None,
+    })
 }

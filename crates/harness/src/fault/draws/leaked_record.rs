@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 
 /// The record of a history that ended with weight 0 is not reset, and leaks into the next (MCX, issue 222; pbrt-v4, commit
 /// 4ba4b4b1).
@@ -17,11 +17,14 @@ impl Injection for LeakedRecord {
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.is_one_of(&["ratio_tracking", "residual_ratio_tracking"])
     }
-    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) {
-        for row in 1..draws.rows {
-            if draws.weight[row - 1] == 0.0 {
-                draws.collisions[row] += draws.collisions[row - 1];
+    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let weight = draws.f64(column::WEIGHT)?.to_vec();
+        let collisions = draws.u32_mut(column::COLLISIONS)?;
+        for row in 1..weight.len() {
+            if weight[row - 1] == 0.0 {
+                collisions[row] += collisions[row - 1];
             }
         }
+        Ok(())
     }
 }

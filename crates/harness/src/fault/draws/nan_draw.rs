@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 
@@ -26,12 +26,15 @@ impl Injection for NanDraw {
     fn fits(&self, _target: &Target) -> Result<(), String> {
         Ok(())
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        for row in 0..draws.rows {
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        for row in 0..draws.rows() {
             if (context.first + row as u64) % self.of == self.walk {
-                draws.put(row, f64::NAN, f64::NAN, 0);
-                draws.channels.iter_mut().for_each(|column| column[row] = f64::NAN);
+                draws.columns_mut().for_each(|(_, numbers)| match numbers {
+                    NumbersMut::F64(numbers) => numbers[row] = f64::NAN,
+                    NumbersMut::U32(counts) => counts[row] = 0,
+                });
             }
         }
+        Ok(())
     }
 }

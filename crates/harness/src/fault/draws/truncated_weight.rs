@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::positive;
 
@@ -25,7 +25,12 @@ impl Injection for TruncatedWeight {
     fn fits(&self, target: &Target) -> Result<(), String> {
         target.is_a("transmittance")
     }
-    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) {
-        draws.weight.iter_mut().filter(|weight| **weight < self.below).for_each(|weight| *weight = 0.0);
+    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        draws
+            .f64_mut(column::WEIGHT)?
+            .iter_mut()
+            .filter(|weight| **weight < self.below)
+            .for_each(|weight| *weight = 0.0);
+        Ok(())
     }
 }

@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Overlay, RayView, Target, WalkContext};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::positive;
 
@@ -45,7 +45,10 @@ impl Injection for DirectionLength {
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Parameter(self.length)))
     }
-    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) {
-        draws.t.iter_mut().for_each(|t| *t *= self.length);
+    fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        if draws.row().has(column::T) {
+            draws.f64_mut(column::T)?.iter_mut().for_each(|t| *t *= self.length);
+        }
+        Ok(())
     }
 }

@@ -8,7 +8,7 @@ use super::meaning::Meaning;
 use super::text::Text;
 use super::{BLOCK, Format, Refusal, Request, SINGLE_TOLERANCE, SampleFile, Table};
 use crate::samples::SampleKind;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Row, column};
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -196,10 +196,12 @@ fn whole(rows: Option<u64>, held: u64, row: u64) -> Result<u64, Refusal> {
 /// Reads text through to its end: every mistake is found, and the rows are counted.
 fn scan(begun: &mut Begun, request: &Request) -> Result<u64, Refusal> {
     let meaning = Meaning::new(request, 0.0);
-    let mut draws = Draws::new(BLOCK).with_t().with_weight().with_channels(match request.kind {
+    let channels = match request.kind {
         SampleKind::WeightedFreePath => 1,
-        _ => request.channels,
-    });
+        SampleKind::FreePath | SampleKind::Transmittance | SampleKind::Chromatic => request.channels,
+    };
+    let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT).with_channels(channels);
+    let mut draws = Draws::new(&row, BLOCK);
     let (mut rows, mut events) = (0, Vec::new());
     while let Some(table) = &mut begun.table {
         match meaning.read(&mut **table, BLOCK, &mut draws, &mut events, rows)? {

@@ -2,7 +2,7 @@
 
 use super::{Escape, Refusal, Request, Table};
 use crate::samples::SampleKind;
-use freepath_draws::{Draws, simd};
+use freepath_draws::{ChannelColumns, Draws, column, simd};
 
 /// The event of a chromatic row: its t is where the light scatters.
 pub(super) const SCATTER: f64 = 0.0;
@@ -48,22 +48,23 @@ impl Meaning {
         events: &mut Vec<f64>,
         first: u64,
     ) -> Result<usize, Refusal> {
-        let Draws { t, weight, channels, .. } = draws;
         match self.kind {
-            SampleKind::Transmittance => return table.read(rows, &mut [weight]),
+            SampleKind::Transmittance => return table.read(rows, &mut [draws.f64_mut(column::WEIGHT)?]),
             SampleKind::FreePath => {
+                let t = draws.f64_mut(column::T)?;
                 let read = table.read(rows, &mut [t])?;
                 self.settle(&mut t[..read]);
                 return Ok(read);
             }
             SampleKind::WeightedFreePath | SampleKind::Chromatic => {}
         }
+        let ChannelColumns { t, channels } = ChannelColumns::of(draws)?;
         events.resize(rows, f64::NAN);
         let mut columns: Vec<&mut [f64]> = vec![t];
         if self.kind == SampleKind::Chromatic {
             columns.push(events);
         }
-        columns.extend(channels.iter_mut().map(Vec::as_mut_slice));
+        columns.extend(channels);
         let read = table.read(rows, &mut columns)?;
         match self.kind {
             SampleKind::Chromatic => self.happen(&mut t[..read], &events[..read], first)?,

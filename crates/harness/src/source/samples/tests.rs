@@ -1,5 +1,6 @@
 use super::*;
 use crate::source::tests::Temporary;
+use freepath_draws::{Row, column};
 use proptest::prelude::*;
 use std::sync::atomic::AtomicBool;
 
@@ -54,22 +55,25 @@ fn blocks(file: &SampleFile, blocks: std::ops::Range<u64>) -> Result<Vec<Draws>,
     let mut rows = SampleSource::open(file, &Wanted { seed: 1, subject: 2, blocks, cancelled: &GOES_ON })?;
     let mut all = Vec::new();
     loop {
-        let mut draws = Draws::new(BLOCK).with_t().with_weight().with_channels(2);
+        let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT).with_channels(2);
+        let mut draws = Draws::new(&row, BLOCK);
         match rows.read(&mut draws)? {
             0 => return Ok(all),
             read => {
-                for column in [&mut draws.t, &mut draws.weight].into_iter().chain(&mut draws.channels) {
-                    column.truncate(read);
-                }
-                all.push(Draws { rows: read, ..draws });
+                draws.resize(read);
+                all.push(draws);
             }
         }
     }
 }
 
+fn t(draws: &Draws) -> &[f64] {
+    draws.f64(column::T).unwrap()
+}
+
 /// All free paths, whatever their stage.
 fn paths(file: &SampleFile) -> Vec<f64> {
-    let stage = |range| blocks(file, range).unwrap().into_iter().flat_map(|draws| draws.t);
+    let stage = |range| blocks(file, range).unwrap().into_iter().flat_map(|draws| t(&draws).to_vec());
     let first = file.first_rows().div_ceil(BLOCK as u64);
     let one: Vec<f64> = stage(0..first).collect();
     one.into_iter().chain(stage(first..3 * first)).collect()
@@ -126,7 +130,7 @@ fn weights_fill_a_channel() {
         Request { kind: SampleKind::WeightedFreePath, column: Some("0"), weight: Some("1"), ..request() };
     let file = open("a.txt", b"0.5 2\ninf 3\n", &weighted).unwrap();
     let draws = blocks(&file, 0..1).unwrap();
-    assert_eq!((&draws[0].t[..], &draws[0].channels[0][..]), (&[0.5][..], &[2.0][..]));
+    assert_eq!((t(&draws[0]), draws[0].channels().unwrap()[0]), (&[0.5][..], &[2.0][..]));
 }
 
 #[test]
@@ -158,9 +162,10 @@ fn events_of_chromatic_rows_are_words_or_numbers() {
         assert_eq!((file.rows(), file.first_rows()), (4, 2));
         let draws = [blocks(&file, 0..1).unwrap(), blocks(&file, 1..3).unwrap()].concat();
         let inf = f64::INFINITY;
-        assert_eq!(draws[0].t, [0.5, inf], "{name}");
-        assert!(draws[1].t[0] >= inf && draws[1].t[1].is_nan(), "nothing scatters at infinity: {name}");
-        assert_eq!((&draws[0].channels[0], &draws[1].channels[1]), (&vec![1.0, 3.0], &vec![6.0, 8.0]));
+        assert_eq!(t(&draws[0]), [0.5, inf], "{name}");
+        assert!(t(&draws[1])[0] >= inf && t(&draws[1])[1].is_nan(), "nothing scatters at infinity: {name}");
+        let channel = |i: usize, k: usize| draws[i].channels().unwrap()[k];
+        assert_eq!((channel(0, 0), channel(1, 1)), (&[1.0, 3.0][..], &[6.0, 8.0][..]));
     }
 }
 
@@ -188,5 +193,5 @@ fn text_is_read_on_where_stage_1_ended_or_found_again() {
     let opened = SampleFile::open(&file.0, &request()).unwrap();
     let whole = paths(&opened);
     assert_eq!((whole.len(), whole[99_999]), (100_000, 0.99999));
-    assert!(whole == paths(&opened) && blocks(&opened, 1..2).unwrap()[0].t == whole[BLOCK..2 * BLOCK]);
+    assert!(whole == paths(&opened) && t(&blocks(&opened, 1..2).unwrap()[0]) == &whole[BLOCK..2 * BLOCK]);
 }

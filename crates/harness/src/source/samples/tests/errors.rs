@@ -186,7 +186,7 @@ fn text_of_other_programs_is_read() {
     ] {
         let file = open(name, bytes, request).unwrap_or_else(|why| panic!("{why}"));
         let read: Vec<Draws> = [blocks(&file, 0..1).unwrap(), blocks(&file, 1..2).unwrap()].concat();
-        let t: Vec<u64> = read.iter().flat_map(|draws| &draws.t[..draws.rows]).map(|t| t.to_bits()).collect();
+        let t: Vec<u64> = read.iter().flat_map(self::t).map(|t| t.to_bits()).collect();
         assert_eq!(t, [0.5, f64::INFINITY, 1.5].map(f64::to_bits), "{name}");
     }
 }

@@ -5,7 +5,7 @@ fn try_all(name: &str, bytes: &[u8], request: &Request) {
     let Ok(file) = open(name, bytes, request) else { return };
     let first = file.first_rows().div_ceil(BLOCK as u64);
     if let (Ok(one), Ok(two)) = (blocks(&file, 0..first), blocks(&file, first..3 * first)) {
-        let rows: usize = one.iter().chain(&two).map(|draws| draws.rows).sum();
+        let rows: usize = one.iter().chain(&two).map(Draws::rows).sum();
         assert_eq!(rows as u64, file.rows());
     }
 }
@@ -60,7 +60,7 @@ proptest! {
         for (name, bytes) in [("a.csv", text.into_bytes()), ("a.npy", npy("<f8", &format!("({},)", values.len()), &doubles(&values)))] {
             let file = open(name, &bytes, &request).unwrap();
             let read = [blocks(&file, 0..1).unwrap(), blocks(&file, 1..3).unwrap()].concat();
-            let read: Vec<f64> = read.into_iter().flat_map(|draws| draws.weight).collect();
+            let read: Vec<f64> = read.into_iter().flat_map(|draws| draws.f64(freepath_draws::column::WEIGHT).unwrap().to_vec()).collect();
             let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
             prop_assert!(read.len() == values.len() && read.iter().zip(&values).all(same));
         }
