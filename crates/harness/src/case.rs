@@ -15,12 +15,15 @@ mod brought;
 mod check;
 mod command;
 mod error;
+pub mod example;
 mod faults;
 mod fit;
+mod listed;
 mod name;
 mod origin;
 mod prepare;
 mod samples;
+mod schema;
 mod subject;
 mod surroundings;
 
@@ -32,6 +35,7 @@ pub use faults::Faults;
 pub use origin::Origin;
 pub use prepare::{Limits, Prepared, PreparedSubject, World};
 pub use samples::{ChromaticSamples, FreePathSamples, TransmittanceSamples};
+pub use schema::{resolve, variants};
 pub use subject::{ChromaticSubject, ClosedForm, Exact, FreePathSubject, TransmittanceSubject};
 
 /// Most draws of one stage.

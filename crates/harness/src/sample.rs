@@ -70,7 +70,7 @@ pub fn sample_block(
 ) -> Result<BlockRecord, String> {
     let record = sample_watched(subject, Streams::new(key), draws, watch)
         .map_err(|(Unfinished::Spent(why) | Unfinished::Broken(why))| why)?;
-    let context = BlockContext { key: faulty_key(subject, key), first, work: subject.work, scene: subject.scene };
+    let context = block_context(subject, key, first);
     subject.faults.iter().for_each(|fault| fault.corrupt_draws(&context, draws));
     Ok(record)
 }
@@ -110,6 +110,18 @@ fn sample_watched(
         return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }
     Ok(BlockRecord { audit, seconds: started.elapsed().as_secs_f64() })
+}
+
+/// What faults of draws may know of the block at `key`.
+fn block_context<'a>(subject: &Subject<'a>, key: Key, first: u64) -> BlockContext<'a> {
+    let key = faulty_key(subject, key);
+    match subject.scene {
+        Scene::Grey { truth, .. } => BlockContext { key, first, length: truth.length(), mixture: None },
+        Scene::Chromatic(medium) => {
+            let mixture = subject.work.mixture(medium);
+            BlockContext { key, first, length: medium.length(), mixture }
+        }
+    }
 }
 
 /// The address of the randomness that `subject` uses at `key`.

@@ -1,8 +1,9 @@
 //! What makes the draws, and in which medium.
 
+use crate::fault::ChannelMixture;
 use crate::samples::{SampleKind, SampleSource};
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
+use freepath_estimators::{Capability, ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 
 /// What makes the draws.
 #[derive(Clone, Copy)]
@@ -21,7 +22,39 @@ pub enum Work<'a> {
     Samples(SampleKind, &'a dyn SampleSource),
 }
 
-impl Work<'_> {
+impl<'a> Work<'a> {
+    /// What its sampler states that it does inside; none for a source of the harness's own.
+    #[must_use]
+    pub fn capabilities(self) -> Option<Vec<Capability>> {
+        match self {
+            Self::FreePath(sampler) => Some(sampler.capabilities()),
+            Self::Transmittance(estimator) => Some(estimator.capabilities()),
+            Self::Chromatic(sampler) => Some(sampler.capabilities()),
+            Self::Exact | Self::ClosedForm | Self::Samples(..) => None,
+        }
+    }
+
+    /// Whether a row is an estimate, not a distance.
+    #[must_use]
+    pub fn estimates(self) -> bool {
+        match self {
+            Self::ClosedForm | Self::Transmittance(_) | Self::Samples(SampleKind::Transmittance, _) => true,
+            Self::Exact | Self::FreePath(_) | Self::Chromatic(_) => false,
+            Self::Samples(SampleKind::FreePath | SampleKind::WeightedFreePath | SampleKind::Chromatic, _) => false,
+        }
+    }
+
+    /// The channels of `medium` as it draws from them, if it does.
+    #[must_use]
+    pub fn mixture(self, medium: &'a ChromaticMedium) -> Option<ChannelMixture<'a>> {
+        match self {
+            Self::Chromatic(sampler) => Some(ChannelMixture::new(sampler, medium.channels())),
+            Self::Exact | Self::FreePath(_) | Self::ClosedForm | Self::Transmittance(_) | Self::Samples(..) => {
+                None
+            }
+        }
+    }
+
     /// Whether every draw is made already: then the second stage is read, whatever the first gives.
     #[must_use]
     pub fn finished(&self) -> bool {

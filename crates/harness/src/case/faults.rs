@@ -1,5 +1,7 @@
+use super::listed::listed;
 use super::{CaseError, CaseFile, Subject, World};
 use crate::fault::{Fault, Target};
+use crate::scene::Work;
 use freepath_estimators::Medium;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -49,17 +51,17 @@ impl CaseFile {
     pub(super) fn check_faults(
         &self,
         at: &str,
-        spec: &Subject,
+        (spec, work): (&Subject, Work),
         world: &World,
         truth: Option<&dyn Medium>,
     ) -> Result<(), CaseError> {
-        let (kind, estimator) = spec.kind();
-        let json = serde_json::to_value(spec).unwrap_or_default();
-        let channels = match world {
-            World::Chromatic(medium) => Some(medium),
+        let mixture = match world {
+            World::Chromatic(medium) => work.mixture(medium),
             World::Grey(_) => None,
         };
-        let target = Target { kind, estimator, parameters: &json[kind][estimator], medium: truth, channels };
+        let (_, sampler) = spec.kind();
+        let (capabilities, estimates) = (work.capabilities(), work.estimates());
+        let target = Target { sampler, capabilities, listed, estimates, medium: truth, mixture };
         let mut faults = spec.fault.iter().flat_map(|faults| &faults.0);
         faults.try_for_each(|fault| {
             let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));

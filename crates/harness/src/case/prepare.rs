@@ -189,7 +189,7 @@ impl CaseFile {
         let source = self.source(&at, spec, (world, truth.as_ref()), place)?;
         let work = spec.work(source.as_ref());
         let faults = spec.fault.clone().unwrap_or_default().0;
-        self.check_faults(&at, spec, world, truth.as_deref())?;
+        self.check_faults(&at, (spec, work), world, truth.as_deref())?;
         let seen = truth.as_ref().map(|truth| self.seen(&at, (spec, work), truth, &faults)).transpose()?;
         self.check_fit(&at, (spec, work), world, seen.as_deref())?;
         let variants = self.variants(i, work, truth.as_ref(), &faults)?;

@@ -1,5 +1,4 @@
 use crate::fault::{BlockContext, Injection, Target};
-use crate::scene::Scene;
 use freepath_draws::Draws;
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::not_negative;
@@ -22,13 +21,11 @@ impl Injection for AbsorbedTwice {
     fn check(&self) -> Result<(), ParameterError> {
         not_negative("mu_a", self.mu_a).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_a("transmittance")
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        if let Scene::Grey { truth, .. } = context.scene {
-            let factor = libm::exp(-self.mu_a * truth.length());
-            draws.weight.iter_mut().for_each(|weight| *weight *= factor);
-        }
+        let factor = libm::exp(-self.mu_a * context.length);
+        draws.weight.iter_mut().for_each(|weight| *weight *= factor);
     }
 }
