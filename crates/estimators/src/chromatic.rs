@@ -1,5 +1,6 @@
 //! Chromatic samplers: one distance for all channels, and a weight for each.
 
+use crate::capability::Capability;
 use crate::claims::{Channel, ChromaticClaims};
 use crate::parameter::ParameterError;
 use freepath_draws::{ChannelColumns, Draws, Streams};
@@ -35,6 +36,12 @@ pub trait ChromaticSampler: Send + Sync {
     /// What is known of this sampler on homogeneous channels.
     fn claims(&self, _channels: &[Channel]) -> ChromaticClaims {
         ChromaticClaims::default()
+    }
+
+    /// What it does inside, for planted faults that need it: a fault is refused over a sampler that does not state what the
+    /// fault lays hold of. Provided: nothing.
+    fn capabilities(&self) -> Vec<Capability> {
+        Vec::new()
     }
 
     /// Refuses channels that the sampler cannot work with.

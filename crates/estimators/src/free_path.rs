@@ -1,5 +1,6 @@
 //! Free-path samplers.
 
+use crate::capability::Capability;
 use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
@@ -49,6 +50,12 @@ pub trait FreePathSampler: Send + Sync {
     /// What is known of this sampler in this medium. Provided: that it is exact and needs a bounding majorant.
     fn claims<'a>(&'a self, _truth: &'a dyn Medium) -> FreePathClaims<'a> {
         FreePathClaims::default()
+    }
+
+    /// What it does inside, for planted faults that need it: a fault is refused over a sampler that does not state what the
+    /// fault lays hold of. Provided: nothing.
+    fn capabilities(&self) -> Vec<Capability> {
+        Vec::new()
     }
 
     /// Refuses a medium that the sampler cannot work in.

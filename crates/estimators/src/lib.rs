@@ -20,9 +20,11 @@
 //! # Ok::<(), freepath_estimators::ParameterError>(())
 //! ```
 
+pub mod capability;
 pub mod chromatic;
 pub mod claims;
 pub mod comb;
+mod control;
 pub mod extinction;
 pub mod free_path;
 pub mod list;
@@ -32,6 +34,7 @@ pub mod parameter;
 pub mod transmittance;
 pub mod woodcock;
 
+pub use capability::Capability;
 pub use chromatic::ChromaticSampler;
 pub use extinction::{Cells, Extinction, Medium, Under};
 pub use free_path::{FreePath, FreePathSampler};

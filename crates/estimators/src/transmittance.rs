@@ -1,5 +1,6 @@
 //! Transmittance estimators.
 
+use crate::capability::Capability;
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::path::FreePath;
@@ -13,9 +14,9 @@ mod ratio_tracking;
 mod ray_marching;
 mod residual_ratio_tracking;
 
+pub use crate::control::Control;
 pub use ratio_roulette::RouletteRule;
 pub use ray_marching::MarchingRule;
-pub use residual_ratio_tracking::Control;
 
 /// Estimates the transmittance T = exp(-tau(length)) of a ray.
 pub trait TransmittanceEstimator: Send + Sync {
@@ -40,6 +41,12 @@ pub trait TransmittanceEstimator: Send + Sync {
     /// no roulette. Its mean over `u` must be `weight`, and is tested.
     fn roulette(&self, _weight: f64, _u: f64) -> Option<f64> {
         None
+    }
+
+    /// What it does inside, for planted faults that need it: a fault is refused over an estimator that does not state what the
+    /// fault lays hold of. Provided: nothing.
+    fn capabilities(&self) -> Vec<Capability> {
+        Vec::new()
     }
 
     /// Refuses a medium that the estimator cannot work in.

@@ -15,14 +15,17 @@ mod any_named;
 mod check;
 mod command;
 mod error;
+pub mod example;
 mod external;
 mod faults;
+mod listed;
 mod name;
 mod named;
 mod origin;
 mod prepare;
 mod registry;
 mod samples;
+mod schema;
 mod surroundings;
 
 pub use crate::kind::SubjectSpec;
@@ -38,6 +41,7 @@ pub use prepare::{Limits, Prepared, PreparedSubject};
 pub(crate) use registry::closer;
 pub use registry::{ListError, Lists};
 pub use samples::{ChromaticSamples, FreePathSamples, SampleArguments, SamplesSpec, TransmittanceSamples};
+pub use schema::{resolve, variants};
 
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;

@@ -3,7 +3,7 @@
 use crate::experiment::{Beside, Plan};
 use crate::sample::{Unfinished, sample_from};
 use crate::subject::Subject;
-use freepath_draws::{Key, Streams};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_statistics::fold::{Folds, Tallies};
 use freepath_statistics::{Block, Scratch};
 use rayon::prelude::*;
@@ -93,11 +93,12 @@ pub fn observe(
 fn one_block(subject: &Subject, beside: &Beside, key: Key) -> Result<Tallies, String> {
     let key = Key { subject: key.subject ^ beside.salt, ..key };
     let there = Subject { experiment: &*beside.experiment, ..subject.clone() };
-    let mut draws = beside.experiment.columns(subject.rows);
+    let mut draws = Draws::new(&beside.experiment.row(), subject.rows);
     let record = sample_from(&there, Streams::new(key), &mut draws).map_err(Unfinished::words)?;
     let block = Block { draws: &draws, number: key.block, nth: 0, audit: Some(&record.audit) };
     let (folds, mut counts) = (&beside.folds, beside.folds.empty());
-    let parts = folds.observe(&block, &mut Scratch::default(), &mut counts);
+    let observed = folds.observe(&block, &mut Scratch::default(), &mut counts);
+    let parts = observed.map_err(|missing| missing.to_string())?;
     let mut tallies = folds.tallies();
     folds.fold(&mut tallies, &parts);
     folds.count(&mut tallies, &counts);

@@ -1,11 +1,11 @@
 //! Experiments: subjects in their scenes. They are all that collecting, judging, a run, a soak, the measurement of power, an
 //! assertion and the C library ever see; which kind one is, only its file in [`kind`](crate::kind) knows.
 
-use crate::fault::{DrawnIn, Fault};
+use crate::fault::{ChannelMixture, Fault};
 use crate::samples::SampleSource;
 use crate::subject::Route;
 use freepath_draws::random::UNIFORM_BITS;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, Row, Streams};
 use freepath_statistics::Fact;
 use freepath_statistics::claim::{BiasBound, Claims, Withdrawal};
 use freepath_statistics::fold::{Folds, LookupWatch};
@@ -130,8 +130,8 @@ pub trait Experiment: Send + Sync {
     /// What is wrong if it fails, in words.
     fn wrong(&self) -> &'static str;
 
-    /// A block of so many rows with the columns that it fills.
-    fn columns(&self, rows: usize) -> Draws;
+    /// The columns that it fills.
+    fn row(&self) -> Row;
 
     /// Fills a block.
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked;
@@ -145,8 +145,11 @@ pub trait Experiment: Send + Sync {
     /// Where its draws come from, if they are made elsewhere.
     fn external(&self) -> Option<&dyn SampleSource>;
 
-    /// What a fault of its draws may ask.
-    fn drawn_in(&self) -> DrawnIn<'_>;
+    /// The length of the ray; 1 without a ray.
+    fn length(&self) -> f64;
+
+    /// The channels, and how they are drawn, for faults of their weights; none where there is one extinction.
+    fn mixture(&self) -> Option<ChannelMixture<'_>>;
 
     /// What contradicts the scene without noise.
     fn scene_facts(&self) -> Vec<Fact>;

@@ -6,11 +6,13 @@ use serde::{Deserialize, Serialize};
 
 mod block_context;
 mod cells;
+mod channel_mixture;
 mod channels;
 mod draws;
 mod faulty_medium;
 mod faulty_rng;
 mod injection;
+mod layer;
 mod lookups;
 mod majorants;
 mod overlay;
@@ -19,12 +21,14 @@ mod uniforms;
 mod walk;
 mod walk_progress;
 
-pub use block_context::{BlockContext, DrawnIn, SampledChannels};
+pub use block_context::BlockContext;
+pub use channel_mixture::ChannelMixture;
 pub use faulty_medium::FaultyMedium;
 pub use faulty_rng::FaultyRng;
-pub use injection::{Injection, Layer};
+pub use injection::Injection;
+pub use layer::Layer;
 pub use overlay::{Overlay, RayView, WalkContext};
-pub use target::Target;
+pub use target::{ListedSampler, Target};
 
 /// Names to types: an enum with one variant per file, seen as [`Injection`]; the folder of the file is its layer.
 macro_rules! faults {

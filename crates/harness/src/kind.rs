@@ -4,12 +4,12 @@
 use crate::agree::Agreement;
 use crate::case::{AnyNamed, Faults, MOST_DRAWS, Named, SampleArguments, SamplesSpec};
 use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Source, Terms};
-use crate::fault::{DrawnIn, Expectation, Fault};
+use crate::fault::{ChannelMixture, Expectation, Fault};
 use crate::samples::SampleKind;
 use crate::scene::Scene;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, Row, Streams};
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{List, MajorantChoice, Medium, ParameterError};
+use freepath_estimators::{Capability, List, MajorantChoice, Medium, ParameterError};
 use freepath_statistics::Fact;
 use freepath_statistics::claim::{BiasBound, Withdrawal};
 use list::kinds;
@@ -18,7 +18,6 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 
-mod columns;
 mod events;
 mod list;
 mod ray;
@@ -87,6 +86,8 @@ pub trait Kind: Sized + Send + Sync + 'static {
     const CONTROL: Option<&'static str>;
     /// The rows that a program writes.
     const PROGRAM: SampleKind;
+    /// Whether a row is an estimate.
+    const ESTIMATES: bool;
     /// Whether draws may grow towards a bound on the bias: there is one mean, or one law.
     const GROWS: bool;
 
@@ -145,8 +146,8 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// The scene as a sampler sees it.
     fn scene(placed: &Self::Placed) -> Self::Scene<'_>;
 
-    /// A block of so many rows with the columns that `source` fills.
-    fn columns(scene: Self::Scene<'_>, source: &Source<'_, Self>, rows: usize) -> Draws;
+    /// The columns that `source` fills.
+    fn row(scene: Self::Scene<'_>, source: &Source<'_, Self>) -> Row;
 
     /// Fills a block by a sampler, behind the audit and the faults.
     fn draw(sampler: &Self::Sampler<'_>, scene: Self::Scene<'_>, context: &DrawContext, out: &mut Draws)
@@ -158,10 +159,18 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// What is claimed, in the order of the tests in the results. Claims that the terms withdraw are left out by the caller.
     fn plan<'a>(scene: Self::Scene<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a>;
 
-    /// What a fault of finished draws may ask. Provided: nothing.
-    fn drawn_in<'a>(_scene: Self::Scene<'a>, _source: &Source<'a, Self>) -> DrawnIn<'a> {
-        DrawnIn::default()
+    /// The length of the ray. Provided: 1, where there is no ray.
+    fn length(_scene: Self::Scene<'_>) -> f64 {
+        1.0
     }
+
+    /// The channels, and how they are drawn, for faults of their weights. Provided: there are none.
+    fn mixture<'a>(_scene: Self::Scene<'a>, _sampler: &'a Self::Sampler<'a>) -> Option<ChannelMixture<'a>> {
+        None
+    }
+
+    /// What a sampler states that it does inside.
+    fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability>;
 
     /// What contradicts the scene without noise. Provided: nothing is looked for.
     fn scene_facts(_scene: Self::Scene<'_>) -> Vec<Fact> {

@@ -20,7 +20,7 @@ use crate::experiment::Functional;
 use crate::sample::{Unfinished, sample_from};
 use crate::subject::{Route, Subject};
 use freepath_draws::random::Script;
-use freepath_draws::{Key, Streams};
+use freepath_draws::{Draws, Key, Streams};
 use freepath_statistics::special::student_t_two_sided;
 use freepath_statistics::tally::PowerSums;
 use rayon::prelude::*;
@@ -81,7 +81,7 @@ pub fn look(subject: &Subject, focus: Focus) -> Result<Sight, String> {
 fn scramble(subject: &Subject, functional: &Functional, focus: Focus, r: u32) -> Result<PowerSums, String> {
     let first = NETS + (u64::from(r) << 20);
     let key = |i: u32| Key { seed: focus.seed, subject: subject.key, block: first + u64::from(i) };
-    let (net, mut draws) = (Net::new(key(MOST_POINTS)), subject.experiment.columns(1));
+    let (net, mut draws) = (Net::new(key(MOST_POINTS)), Draws::new(&subject.experiment.row(), 1));
     let mut sums = PowerSums::new(functional.expected);
     let mut values = Vec::with_capacity(256);
     for i in 0..focus.points {

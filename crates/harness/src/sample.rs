@@ -52,9 +52,14 @@ pub fn sample_block(
     watch: Option<&mut dyn LookupWatch>,
 ) -> Result<BlockRecord, String> {
     let record = sample_watched(subject, Streams::new(key), draws, watch).map_err(Unfinished::words)?;
-    let context = BlockContext { key: faulty_key(subject, key), first, drawn: subject.experiment.drawn_in() };
-    subject.faults.iter().for_each(|fault| fault.corrupt_draws(&context, draws));
-    Ok(record)
+    let context = BlockContext {
+        key: faulty_key(subject, key),
+        first,
+        length: subject.experiment.length(),
+        mixture: subject.experiment.mixture(),
+    };
+    let corrupted = subject.faults.iter().try_for_each(|fault| fault.corrupt_draws(&context, draws));
+    corrupted.map(|()| record).map_err(|missing| missing.to_string())
 }
 
 /// Fills `draws` from `streams` under the subject's budget, without the faults that concern finished draws.
@@ -71,9 +76,9 @@ fn sample_watched(
     draws: &mut Draws,
     watch: Option<&mut dyn LookupWatch>,
 ) -> Result<BlockRecord, Unfinished> {
-    let budget = subject.lookups_per_draw.saturating_mul(draws.rows as u64);
-    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), shape(draws));
-    blank(draws);
+    let budget = subject.lookups_per_draw.saturating_mul(draws.rows() as u64);
+    let (streams, shape) = (faulty_streams(subject, streams).with_budget(budget), draws.shape());
+    draws.blank();
     let watch = watch.map(RefCell::new);
     let context = DrawContext {
         streams: &streams,
@@ -87,7 +92,7 @@ fn sample_watched(
     let run = AssertUnwindSafe(|| subject.experiment.draw(&context, draws));
     let looked = catch_unwind(run).map_err(|payload| why(payload.as_ref()))?;
     if looked.spent {
-        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows);
+        let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows());
         return Err(Unfinished::Spent(why));
     }
     if shape != draws.shape() {

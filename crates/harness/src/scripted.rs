@@ -53,7 +53,8 @@ pub fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
 /// Every script through one method.
 fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
     let rows = rows(subject.route);
-    let (mut draws, mut found, mut lookups) = (subject.experiment.columns(rows), Findings::default(), 0);
+    let (mut draws, mut found, mut lookups) =
+        (Draws::new(&subject.experiment.row(), rows), Findings::default(), 0);
     for (i, scripted) in Scripted::all(Key { seed, subject: subject.key, block: SCRIPTS }).enumerate() {
         let key = Key { seed, subject: subject.key, block: SCRIPTS + i as u64 };
         match drive(subject, key, &scripted.script, &mut draws) {

@@ -1,7 +1,7 @@
 //! One block of draws on its way through the folds.
 
 use crate::tally::Audit;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn};
 
 /// A block of draws, where it stands, and what it cost.
 #[derive(Clone, Copy)]
@@ -61,31 +61,19 @@ impl Scratch {
 }
 
 impl<'a> Block<'a> {
-    pub(crate) fn f64(&self, column: &str) -> &'a [f64] {
-        f64(self.draws, column)
+    /// A column of numbers.
+    ///
+    /// # Errors
+    /// If there is none of this name.
+    pub(crate) fn f64(&self, column: &str) -> Result<&'a [f64], MissingColumn> {
+        self.draws.f64(column)
     }
-    pub(crate) fn u32(&self, column: &str) -> &'a [u32] {
-        u32(self.draws, column)
-    }
-}
 
-/// A column of numbers.
-///
-/// # Panics
-/// If there is no such column: a kind names the columns that its rows have.
-pub(crate) fn f64<'a>(draws: &'a Draws, column: &str) -> &'a [f64] {
-    match column {
-        "t" => &draws.t,
-        "weight" => &draws.weight,
-        "mark" => &draws.mark,
-        channel => {
-            let k = channel.strip_prefix("channel_").and_then(|k| k.parse::<usize>().ok());
-            k.and_then(|k| draws.channels.get(k)).expect("a kind names the columns of its rows")
-        }
+    /// A column of counts.
+    ///
+    /// # Errors
+    /// If there is none of this name.
+    pub(crate) fn u32(&self, column: &str) -> Result<&'a [u32], MissingColumn> {
+        self.draws.u32(column)
     }
-}
-
-/// A column of counts.
-pub(crate) fn u32<'a>(draws: &'a Draws, _column: &str) -> &'a [u32] {
-    &draws.collisions
 }

@@ -174,7 +174,7 @@ impl<'a> Claims<'a> {
     /// The first thing that is wrong for certain with the rows of a block.
     #[must_use]
     pub fn look(&self, draws: &Draws) -> Option<Finding> {
-        (0..draws.rows).find_map(|row| self.iter().find_map(|claim| claim.look(draws, row)))
+        (0..draws.rows()).find_map(|row| self.iter().find_map(|claim| claim.look(draws, row)))
     }
 
     /// The test that draws may grow under, towards the bound that is asked for.

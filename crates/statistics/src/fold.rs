@@ -5,6 +5,7 @@
 //! added in block order, whichever worker made them.
 
 use crate::block::{Block, Scratch};
+use freepath_draws::MissingColumn;
 
 mod auxiliary;
 mod capitals;
@@ -73,12 +74,15 @@ pub trait Fold: Send + Sync + 'static {
     fn no_sums(&self) -> Self::Sums;
 
     /// Counts the rows of `block`, and sums them up.
+    ///
+    /// # Errors
+    /// If the block lacks a column that the fold reads.
     fn observe(
         &self,
         block: &Block,
         scratch: &mut Scratch,
         counts: &mut Self::Counts,
-    ) -> <Self::Sums as Ordered>::Part;
+    ) -> Result<<Self::Sums as Ordered>::Part, MissingColumn>;
 
     /// What is told of the look-ups of the block at place `nth` while it is drawn. Provided: nothing.
     fn watch<'a>(&self, _nth: u64, _counts: &'a mut Self::Counts) -> Option<&'a mut dyn LookupWatch> {

@@ -1,5 +1,5 @@
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Extinction, FreePath, FreePathSampler, ParameterError};
+use freepath_estimators::{Capability, Extinction, FreePath, FreePathSampler, ParameterError};
 use rand::{Rng, RngExt};
 use serde::{Deserialize, Serialize};
 
@@ -34,6 +34,11 @@ impl FreePathSampler for MyTracker {
                 return FreePath::at(t);
             }
         }
+    }
+
+    // what planted faults may lay hold of
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::LookUps, Capability::Majorants]
     }
 
     fn accepts(&self, _medium: &dyn Extinction) -> Result<(), ParameterError> {

@@ -29,12 +29,16 @@ fn own_command(args: &[&str]) -> (i32, String, String) {
 
 /// What is said of a case with this free-path subject in line 5.
 fn said_of(name: &str, subject: &str) -> String {
+    said_of_fields(name, &format!("\"free_path\": {subject}"))
+}
+
+/// What is said of a case with a subject of these fields in line 5.
+fn said_of_fields(name: &str, fields: &str) -> String {
     let folder = folder(name);
     let case = folder.join("case.json");
     let medium = r#"{ "constant": { "mu": 1.5, "length": 2.0 } }"#;
-    let text = format!(
-        "{{\n\"title\": \"A mistake\",\n\"medium\": {medium},\n\"subjects\": [\n{{ \"free_path\": {subject} }}\n]\n}}\n"
-    );
+    let text =
+        format!("{{\n\"title\": \"A mistake\",\n\"medium\": {medium},\n\"subjects\": [\n{{ {fields} }}\n]\n}}\n");
     fs::write(&case, text).unwrap();
     let out = folder.join("out");
     let (code, _, err) = own_command(&["run", &case.display().to_string(), "--out", &out.display().to_string()]);
@@ -57,6 +61,7 @@ fn right_subjects_pass_and_wrong_ones_fail_beside_the_built_in_ones() {
         ("my_tracker", "pass"),
         ("my_ratio", "pass"),
         ("hasty_tracker", "fail"),
+        ("my_tracker", "fail"),
         ("my_tracker", "fail"),
     ];
     assert_eq!(verdicts, expected);
@@ -103,6 +108,21 @@ fn its_names_are_listed_described_and_in_the_schema() {
     let (code, out, _) = own_command(&["schema"]);
     let schema: Value = serde_json::from_str(&out).unwrap();
     assert!(code == 0 && schema["$defs"]["MyTracker"]["properties"]["room"]["type"] == "number");
+}
+
+#[test]
+fn a_fault_is_refused_over_a_sampler_that_does_not_say_what_it_needs() {
+    let silent =
+        said_of_fields("silent", r#""free_path": { "hasty_tracker": {} }, "fault": { "stale_position": {} }"#);
+    let able = "it is laid over samplers that look one extinction up (delta_tracking, my_tracker, ";
+    assert!(silent.contains("fault stale_position: ") && silent.contains(able), "{silent}");
+    assert!(silent.contains("not over hasty_tracker") && silent.contains("the method `capabilities`"), "{silent}");
+    let other =
+        said_of_fields("other", r#""free_path": { "my_tracker": {} }, "fault": { "inverted_acceptance": {} }"#);
+    assert!(
+        other.contains("(delta_tracking), not over my_tracker") && !other.contains("`capabilities`"),
+        "{other}"
+    );
 }
 
 #[test]

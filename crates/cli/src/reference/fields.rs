@@ -1,7 +1,7 @@
 //! The parameters of a name, as its schema tells.
 
 use super::doc::plain;
-use super::{resolve, variants};
+use freepath_harness::case::{resolve, variants};
 use serde_json::Value;
 
 /// One parameter.

@@ -1,5 +1,6 @@
 use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Mixed, Probabilities};
+use crate::capability::Capability;
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
 use crate::parameter::ParameterError;
@@ -86,6 +87,10 @@ impl ChromaticSampler for Balance {
             let pdf = mixture::pdf(channels, &q, t);
             pdf * mixture::even_power(f / pdf, order)
         })
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::ChannelMixture, Capability::BalanceHeuristic]
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

@@ -1,5 +1,6 @@
 use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Mixed, Probabilities};
+use crate::capability::Capability;
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
 use crate::parameter::ParameterError;
@@ -105,6 +106,10 @@ impl ChromaticSampler for Power {
             };
             scale * (0..channels.len()).map(drawn).sum::<f64>()
         })
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::ChannelMixture]
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

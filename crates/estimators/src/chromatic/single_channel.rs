@@ -1,5 +1,6 @@
 use super::block::{self, Heuristic, Own};
 use super::mixture::{self, Probabilities};
+use crate::capability::Capability;
 use crate::chromatic::ChromaticSampler;
 use crate::claims::{Channel, ChromaticClaims};
 use crate::parameter::{self, ParameterError};
@@ -131,6 +132,10 @@ impl ChromaticSampler for SingleChannel {
             };
             drawn.map(one).sum()
         })
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::ChannelDensity]
     }
 
     fn accepts(&self, channels: &[Channel]) -> Result<(), ParameterError> {

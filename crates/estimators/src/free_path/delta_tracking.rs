@@ -1,3 +1,4 @@
+use crate::capability::{Capability, DELTA_TRACKING};
 use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::{FreePath, FreePathSampler};
@@ -72,5 +73,10 @@ impl FreePathSampler for DeltaTracking {
 
     fn claims<'a>(&'a self, truth: &'a dyn Medium) -> FreePathClaims<'a> {
         FreePathClaims { lookups: Some(expected_lookups(truth)), coleman: true, ..FreePathClaims::default() }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        let fresh = (self.form == Form::Restart).then_some(Capability::FreshFlights);
+        DELTA_TRACKING.iter().copied().chain([Capability::Collisions]).chain(fresh).collect()
     }
 }

@@ -1,3 +1,4 @@
+use crate::capability::Capability;
 use crate::claims::{FreePathClaims, Survival};
 use crate::comb::{Comb, Steps};
 use crate::extinction::{Extinction, Medium};
@@ -83,5 +84,9 @@ impl FreePathSampler for RayMarching {
             order: truth.breaks().is_empty().then_some(order),
             ..FreePathClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
 }

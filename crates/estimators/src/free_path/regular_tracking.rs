@@ -1,3 +1,4 @@
+use crate::capability::Capability;
 use crate::claims::FreePathClaims;
 use crate::extinction::{Cells, Extinction, Medium};
 use crate::free_path::{FreePath, FreePathSampler};
@@ -88,6 +89,12 @@ impl FreePathSampler for RegularTracking {
         let points = degree_points(self.cells) as f64;
         let entered: f64 = cells(truth).map(|(start, _)| libm::exp(-truth.tau(start))).sum();
         FreePathClaims { bounded: false, lookups: Some(points * entered), ..FreePathClaims::default() }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        use Capability::{Analog, ConstantCells, Flights, LookUps};
+        let constant = (self.cells == Cells::Constant).then_some(ConstantCells);
+        [LookUps, Flights, Analog].into_iter().chain(constant).collect()
     }
 
     fn accepts(&self, medium: &dyn Extinction) -> Result<(), ParameterError> {

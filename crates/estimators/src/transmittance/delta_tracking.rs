@@ -1,3 +1,4 @@
+use crate::capability::{Capability, DELTA_TRACKING};
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::free_path::delta_tracking::{Analog, expected_lookups};
@@ -49,5 +50,10 @@ impl TransmittanceEstimator for DeltaTracking {
             lookups: Some(expected_lookups(truth)),
             ..TransmittanceClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        let fresh = (self.form == Form::Restart).then_some(Capability::FreshFlights);
+        DELTA_TRACKING.iter().copied().chain([Capability::Collisions]).chain(fresh).collect()
     }
 }

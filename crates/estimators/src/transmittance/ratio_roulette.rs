@@ -1,3 +1,4 @@
+use crate::capability::Capability;
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Cells, Extinction, Medium};
 use crate::transmittance::TransmittanceEstimator;
@@ -91,6 +92,11 @@ impl TransmittanceEstimator for RatioRoulette {
             lookups: chain.map(|(_, lookups)| lookups),
             ..TransmittanceClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        use Capability::{Collisions, Flights, LookUps, Majorants, TentativeCollisions};
+        vec![LookUps, Majorants, Flights, TentativeCollisions, Collisions]
     }
 }
 

@@ -1,3 +1,4 @@
+use crate::capability::{Capability, RATIO_TRACKING};
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::transmittance::TransmittanceEstimator;
@@ -90,5 +91,9 @@ impl TransmittanceEstimator for RatioTracking {
             poisson: Some(rates.depth()),
             ..TransmittanceClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        [RATIO_TRACKING, &[Capability::Collisions]].concat()
     }
 }

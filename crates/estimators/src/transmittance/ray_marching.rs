@@ -1,3 +1,4 @@
+use crate::capability::Capability;
 use crate::claims::TransmittanceClaims;
 use crate::comb::{Comb, Compensated, Steps, TILE};
 use crate::extinction::{Extinction, Medium};
@@ -150,6 +151,10 @@ impl TransmittanceEstimator for RayMarching {
             order: smooth.then_some(if self.rule == MarchingRule::Stratified { 3.0 } else { 2.0 }),
             ..TransmittanceClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
 }
 

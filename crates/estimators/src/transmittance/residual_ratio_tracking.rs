@@ -1,4 +1,6 @@
+use crate::capability::Capability;
 use crate::claims::TransmittanceClaims;
+use crate::control::Control;
 use crate::extinction::{Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
@@ -23,18 +25,6 @@ use freepath_draws::{Draws, Streams, math};
 #[serde(try_from = "Parameters", into = "Parameters")]
 pub struct ResidualRatioTracking {
     control: Control,
-}
-
-/// The control extinction of each majorant's segment.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Control {
-    /// The mean of mu in the segment.
-    Mean,
-    /// The minimum of mu in the segment.
-    Minimum,
-    /// This value everywhere.
-    Value(f64),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
@@ -122,6 +112,11 @@ impl TransmittanceEstimator for ResidualRatioTracking {
             poisson: Some(rates.depth()),
             ..TransmittanceClaims::default()
         }
+    }
+
+    fn capabilities(&self) -> Vec<Capability> {
+        use Capability::{Collisions, Flights, LookUps, Majorants, Residual};
+        vec![LookUps, Majorants, Flights, Residual(self.control), Collisions]
     }
 
     fn accepts(&self, medium: &dyn Extinction) -> Result<(), ParameterError> {

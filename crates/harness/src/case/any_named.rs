@@ -1,14 +1,17 @@
 //! A subject of a case, whichever its kind, made ready to run.
 
 use super::command::Command;
+use super::listed::listed;
 use super::named::Named;
 use super::surroundings::Place;
 use super::{CaseError, CaseFile, Origin, SubjectSpec};
 use crate::agree::{Agreement, Variant};
 use crate::experiment::{Experiment, Owned, Placed, PlacedSource};
+use crate::fault::Target;
 use crate::kind::{Kind, Outline, Refusal};
 use crate::samples::SampleKind;
 use crate::scene::Scene;
+use freepath_estimators::Capability;
 use std::sync::Arc;
 
 /// A [`Named`] without its kind.
@@ -19,6 +22,8 @@ pub(crate) trait AnyNamed {
     fn name(&self) -> &'static str;
     /// Name and parameters.
     fn json(&self) -> serde_json::Value;
+    /// What its sampler states that it does inside; none for a source of the harness's own.
+    fn capabilities(&self) -> Option<Vec<Capability>>;
     /// Whether its draws may grow towards a bound on the bias.
     fn grows(&self) -> bool;
     /// The file that it is, if it is one.
@@ -60,6 +65,9 @@ impl<K: Kind> AnyNamed for Named<K> {
     fn json(&self) -> serde_json::Value {
         serde_json::to_value(self).unwrap_or_default()
     }
+    fn capabilities(&self) -> Option<Vec<Capability>> {
+        self.sampler().map(|sampler| K::capabilities(K::borrowed(&sampler)))
+    }
     fn grows(&self) -> bool {
         K::GROWS
     }
@@ -81,8 +89,8 @@ impl<K: Kind> AnyNamed for Named<K> {
         let own = truth()?;
         let outline = K::outline(&own);
         let source = context.source(self, &outline)?.map(Arc::new);
-        context.check_faults(self, &outline)?;
         let sampler = self.sampler();
+        context.check_faults(&self.target(&own, sampler.as_ref()))?;
         let seen = context.see::<K>(truth()?, sampler.as_ref())?;
         if let Some(sampler) = &sampler {
             K::accepts(K::borrowed(sampler), &seen).map_err(|why| context.unfit(self, why))?;
@@ -100,6 +108,19 @@ impl<K: Kind> Named<K> {
             Self::Listed(listed) => Some(Arc::new(listed.clone())),
             Self::External(external) => Some(external.sampler()),
             Self::Control(_) | Self::Samples(_) | Self::Command(_) => None,
+        }
+    }
+
+    /// What planted faults may be laid over.
+    fn target<'a>(&self, own: &'a K::Placed, sampler: Option<&'a Owned<K::Sampler<'static>>>) -> Target<'a> {
+        let sampler = sampler.map(|sampler| K::borrowed(sampler));
+        Target {
+            sampler: self.name(),
+            capabilities: sampler.map(K::capabilities),
+            listed,
+            estimates: K::ESTIMATES,
+            medium: K::outline(own).medium,
+            mixture: sampler.and_then(|sampler| K::mixture(K::scene(own), sampler)),
         }
     }
 

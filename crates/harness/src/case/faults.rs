@@ -1,7 +1,6 @@
 use super::CaseError;
-use super::any_named::{AnyNamed, Preparing};
+use super::any_named::Preparing;
 use crate::fault::{Fault, Target};
-use crate::kind::Outline;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -47,18 +46,10 @@ impl JsonSchema for Faults {
 
 impl Preparing<'_> {
     /// Refuses a fault that cannot be laid over this subject in this scene.
-    pub(super) fn check_faults(&self, named: &dyn AnyNamed, outline: &Outline) -> Result<(), CaseError> {
-        let json = named.json();
-        let target = Target {
-            kind: named.kind(),
-            estimator: named.name(),
-            parameters: &json[named.name()],
-            medium: outline.medium,
-            channels: outline.channels,
-        };
+    pub(super) fn check_faults(&self, target: &Target) -> Result<(), CaseError> {
         self.spec.faults().iter().try_for_each(|fault| {
             let words = |why| format!("fault {}: {why}", fault.name());
-            fault.fits(&target).map_err(|why| self.file.refuse(&format!("{}.fault", self.at), words(why)))
+            fault.fits(target).map_err(|why| self.file.refuse(&format!("{}.fault", self.at), words(why)))
         })
     }
 }

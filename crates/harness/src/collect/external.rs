@@ -48,7 +48,10 @@ impl Worker {
     fn take(&mut self, folds: &Folds, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
         let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
         let drawn = |(number, seconds)| Drawn { number, nth: number - first, audit: None, seconds };
-        Some(next.map(|read| self.tally(folds, &drawn(read))))
+        Some(next.and_then(|read| {
+            let drawn = drawn(read);
+            self.tally(folds, &drawn).map_err(|why| (drawn.number, why))
+        }))
     }
 }
 

@@ -34,7 +34,7 @@ pub(super) struct Drawn<'a> {
 
 impl Worker {
     fn new(subject: &Subject, folds: &Folds) -> Self {
-        let draws = subject.experiment.columns(subject.rows);
+        let draws = Draws::new(&subject.experiment.row(), subject.rows);
         Self { draws, scratch: Scratch::default(), counts: folds.empty() }
     }
 
@@ -50,15 +50,19 @@ impl Worker {
         let watch = folds.watch(nth, &mut self.counts);
         let record = sample_block(subject, key, row, &mut self.draws, watch)?;
         let (number, audit, seconds) = (key.block, Some(&record.audit), record.seconds);
-        Ok(self.tally(folds, &Drawn { number, nth, audit, seconds }))
+        self.tally(folds, &Drawn { number, nth, audit, seconds })
     }
 
     /// Folds the draws of a block.
-    pub(super) fn tally(&mut self, folds: &Folds, drawn: &Drawn) -> BlockParts {
+    ///
+    /// # Errors
+    /// If the block lacks a column that a claim reads, in words.
+    pub(super) fn tally(&mut self, folds: &Folds, drawn: &Drawn) -> Result<BlockParts, String> {
         let Drawn { number, nth, audit, seconds } = *drawn;
         let block = Block { draws: &self.draws, number, nth, audit };
         let parts = folds.observe(&block, &mut self.scratch, &mut self.counts);
-        BlockParts { number, rows: self.draws.rows as u64, parts, seconds }
+        let parts = parts.map_err(|missing| missing.to_string())?;
+        Ok(BlockParts { number, rows: self.draws.rows() as u64, parts, seconds })
     }
 }
 

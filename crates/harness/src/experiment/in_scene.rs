@@ -1,9 +1,9 @@
 use super::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
-use crate::fault::DrawnIn;
+use crate::fault::ChannelMixture;
 use crate::kind::Kind;
 use crate::samples::{SampleKind, SampleSource};
 use crate::subject::Route;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 
 /// What makes the draws of a kind.
@@ -72,8 +72,8 @@ impl<K: Kind> Experiment for InScene<'_, K> {
     fn wrong(&self) -> &'static str {
         if self.source.is_external() { "the samples are wrong" } else { K::WRONG }
     }
-    fn columns(&self, rows: usize) -> Draws {
-        K::columns(self.scene, &self.source, rows)
+    fn row(&self) -> Row {
+        K::row(self.scene, &self.source)
     }
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
         match self.source {
@@ -100,8 +100,11 @@ impl<K: Kind> Experiment for InScene<'_, K> {
             Source::Control | Source::Sampler(_) => None,
         }
     }
-    fn drawn_in(&self) -> DrawnIn<'_> {
-        K::drawn_in(self.scene, &self.source)
+    fn length(&self) -> f64 {
+        K::length(self.scene)
+    }
+    fn mixture(&self) -> Option<ChannelMixture<'_>> {
+        self.source.sampler().and_then(|sampler| K::mixture(self.scene, sampler))
     }
     fn scene_facts(&self) -> Vec<Fact> {
         K::scene_facts(self.scene)

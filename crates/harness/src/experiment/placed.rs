@@ -1,10 +1,10 @@
 use super::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
 use crate::case::Origin;
-use crate::fault::DrawnIn;
+use crate::fault::ChannelMixture;
 use crate::kind::Kind;
 use crate::samples::SampleSource;
 use crate::subject::Route;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -48,8 +48,8 @@ impl<K: Kind> Experiment for Placed<K> {
     fn wrong(&self) -> &'static str {
         self.in_scene().wrong()
     }
-    fn columns(&self, rows: usize) -> Draws {
-        self.in_scene().columns(rows)
+    fn row(&self) -> Row {
+        self.in_scene().row()
     }
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
         self.in_scene().draw(context, out)
@@ -66,9 +66,12 @@ impl<K: Kind> Experiment for Placed<K> {
             PlacedSource::Control | PlacedSource::Sampler(_) => None,
         }
     }
-    fn drawn_in(&self) -> DrawnIn<'_> {
+    fn length(&self) -> f64 {
+        K::length(K::scene(&self.scene))
+    }
+    fn mixture(&self) -> Option<ChannelMixture<'_>> {
         let InScene { source, scene } = self.in_scene();
-        K::drawn_in(scene, &source)
+        source.sampler().and_then(|sampler| K::mixture(scene, sampler))
     }
     fn scene_facts(&self) -> Vec<Fact> {
         self.in_scene().scene_facts()

@@ -20,7 +20,7 @@ impl Probe<'_> {
     #[must_use]
     pub fn draw(&self, block: u64, rows: usize) -> Option<Draws> {
         let key = Key { seed: self.seed, subject: self.subject.key, block: IDENTITIES + block };
-        let mut draws = self.subject.experiment.columns(rows);
+        let mut draws = Draws::new(&self.subject.experiment.row(), rows);
         let budget = self.subject.lookups_per_draw;
         let lookups_per_draw = if budget < BUDGET { budget } else { BUDGET };
         let driven = Subject { lookups_per_draw, ..self.subject.clone() };

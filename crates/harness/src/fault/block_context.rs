@@ -1,35 +1,17 @@
+use super::ChannelMixture;
 use freepath_draws::Key;
-use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{ChromaticSampler, Medium};
 
-/// The block of draws that a fault is laid over: for those that count walks, need random numbers, or must know whose draws
-/// they are.
-#[derive(Clone, Copy)]
+/// The block of draws that a fault is laid over: for those that count walks, need random numbers, or must know how they were
+/// drawn.
 pub struct BlockContext<'a> {
     /// The block's key.
     pub key: Key,
     /// Number of the block's first draw.
     pub first: u64,
-    /// Whose draws they are.
-    pub drawn: DrawnIn<'a>,
-}
-
-/// What a fault of draws may ask of whoever made them.
-#[derive(Clone, Copy, Default)]
-pub struct DrawnIn<'a> {
-    /// The one extinction, if there is one.
-    pub medium: Option<&'a dyn Medium>,
-    /// The channels and who sampled them, if there are several.
-    pub channels: Option<SampledChannels<'a>>,
-}
-
-/// A chromatic sampler in its medium.
-#[derive(Clone, Copy)]
-pub struct SampledChannels<'a> {
-    /// The sampler.
-    pub sampler: &'a dyn ChromaticSampler,
-    /// Its channels.
-    pub medium: &'a ChromaticMedium,
+    /// Length of the ray.
+    pub length: f64,
+    /// The channels, and how they are drawn; none where there is one extinction.
+    pub mixture: Option<ChannelMixture<'a>>,
 }
 
 /// The lane that no subject reads.

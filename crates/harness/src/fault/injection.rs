@@ -1,23 +1,6 @@
 use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
-use freepath_estimators::{Majorants, Medium, ParameterError};
-
-/// The place where a fault is laid, which says how the subject must be driven: the folder of its file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
-    /// The majorants, under the audit: by the block method.
-    Majorants,
-    /// The look-ups and the ray, above the audit: by the block method.
-    LookUps,
-    /// One walk at a time, its uniforms and its look-ups: by the scalar method.
-    Walk,
-    /// The uniforms of one walk at a time: by the scalar method.
-    Uniforms,
-    /// The draws of a block.
-    Draws,
-    /// The weights of a block of chromatic draws.
-    Channels,
-}
+use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// What a fault injects in each place where one can be laid; provided: nothing.
 pub trait Injection: Send + Sync {
@@ -29,11 +12,18 @@ pub trait Injection: Send + Sync {
         Ok(())
     }
 
-    /// Refuses a subject or a medium that it cannot be laid over.
+    /// What a sampler must do inside for the fault to be laid over it. Provided: nothing.
+    fn needs(&self) -> Vec<Capability> {
+        Vec::new()
+    }
+
+    /// Refuses what `needs` cannot say: a medium, a majorant, parameters. Provided: nothing.
     ///
     /// # Errors
     /// In words: what is there, and what is needed.
-    fn fits(&self, target: &Target) -> Result<(), String>;
+    fn accepts(&self, _target: &Target) -> Result<(), String> {
+        Ok(())
+    }
 
     /// The majorants that the subject is given in place of `majorants`: the audit checks it against these.
     fn alter_majorants(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
@@ -54,9 +44,6 @@ pub trait Injection: Send + Sync {
     }
 
     /// Changes the draws of a block.
-    ///
-    /// # Errors
-    /// If they lack a column that the fault writes.
     fn corrupt_draws(&self, _context: &BlockContext, _draws: &mut Draws) -> Result<(), MissingColumn> {
         Ok(())
     }

@@ -1,76 +1,121 @@
-use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{Cells, Medium};
-use serde_json::Value;
+use super::{ChannelMixture, Fault, Layer};
+use freepath_estimators::transmittance::Control;
+use freepath_estimators::{Capability, Cells, Medium};
 
-/// What a fault is to be laid over.
-#[derive(Clone, Copy)]
+/// The subject that a fault is to be laid over, in its scene.
 pub struct Target<'a> {
-    /// `free_path`, `transmittance` or `chromatic`.
-    pub kind: &'a str,
-    /// The estimator's name.
-    pub estimator: &'a str,
-    /// Its parameters, as in the case.
-    pub parameters: &'a Value,
-    /// The medium under the majorants that it should have, unless it is chromatic.
+    /// Its sampler's name in the case.
+    pub sampler: &'a str,
+    /// What the sampler states that it does inside; none if it is a source of the harness's own.
+    pub capabilities: Option<Vec<Capability>>,
+    /// The samplers that a case can name, to say over which the fault could be laid.
+    pub listed: fn() -> &'static [ListedSampler],
+    /// Whether a row is an estimate, not a distance.
+    pub estimates: bool,
+    /// The medium under the majorants that it should have, unless there are channels.
     pub medium: Option<&'a dyn Medium>,
-    /// The channels of a chromatic medium.
-    pub channels: Option<&'a ChromaticMedium>,
+    /// The channels, and how they are drawn.
+    pub mixture: Option<ChannelMixture<'a>>,
 }
 
-/// Those that ask for majorants.
-const TRACKING: [&str; 4] = ["delta_tracking", "ratio_tracking", "ratio_roulette", "residual_ratio_tracking"];
+/// A sampler that a case can name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ListedSampler {
+    /// Its name in its list.
+    pub name: &'static str,
+    /// What it does inside, with the simplest parameters.
+    pub capabilities: Vec<Capability>,
+}
+
+impl Fault {
+    /// Refuses a subject or a scene that it cannot be laid over.
+    ///
+    /// # Errors
+    /// In words: what is needed, what has it, and what is there.
+    pub fn fits(&self, target: &Target) -> Result<(), String> {
+        target.has(self.layer())?;
+        self.needs().into_iter().try_for_each(|need| target.can(need))?;
+        self.accepts(target)
+    }
+}
 
 impl Target<'_> {
-    /// Only over one of these estimators.
-    pub(super) fn is_one_of(&self, names: &[&str]) -> Result<(), String> {
-        if names.contains(&self.estimator) {
+    /// Only where there is something to lay it over.
+    fn has(&self, layer: Layer) -> Result<(), String> {
+        match (layer, self.medium, &self.mixture) {
+            (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, None, _) => {
+                Err("it is laid over one extinction, not over channels".into())
+            }
+            (Layer::Channels, _, None) => {
+                Err("it is laid over the weights of channels, and there are none".into())
+            }
+            (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, Some(_), _)
+            | (Layer::Channels, _, Some(_))
+            | (Layer::Draws, ..) => Ok(()),
+        }
+    }
+
+    /// Only over samplers that state `need`.
+    fn can(&self, need: Capability) -> Result<(), String> {
+        let stated = self.capabilities.as_deref();
+        let has = |all: &[Capability]| all.iter().any(|one| one.is_like(need));
+        if stated.is_some_and(has) {
             return Ok(());
         }
-        Err(format!("it is laid over {} only, not over {}", names.join(" or "), self.estimator))
+        let able = (self.listed)().iter().filter(|sampler| has(&sampler.capabilities)).map(|sampler| sampler.name);
+        let mut able: Vec<&str> = able.collect();
+        able.sort_unstable();
+        able.dedup();
+        let otherwise = if able.contains(&self.sampler) { " with these parameters" } else { "" };
+        let hint = match stated {
+            Some([]) => " (a sampler of one's own says so in the method `capabilities` of its trait)",
+            Some(_) | None => "",
+        };
+        let (words, able, sampler) = (need.words(), able.join(", "), self.sampler);
+        Err(format!("it is laid over samplers that {words} ({able}), not over {sampler}{otherwise}{hint}"))
     }
 
-    /// Only over subjects that ask for majorants.
-    pub(super) fn asks_majorants(&self) -> Result<(), String> {
-        self.is_one_of(&TRACKING)
-    }
-
-    /// Only over subjects that look up one extinction.
-    pub(super) fn looks_up(&self) -> Result<(), String> {
-        let blind = ["exact", "closed_form", "samples"].contains(&self.estimator) || self.medium.is_none();
-        let why = || format!("it is laid over look-ups of one extinction, and {} makes none", self.estimator);
-        if blind { Err(why()) } else { Ok(()) }
-    }
-
-    /// Only over subjects of this kind.
-    pub(super) fn is_a(&self, kind: &str) -> Result<(), String> {
-        if self.kind == kind {
-            Ok(())
-        } else {
-            Err(format!("it is laid over a {kind} subject, not over a {} one", self.kind))
+    /// Only over a residual with this control.
+    pub(super) fn has_control(&self, control: Control) -> Result<(), String> {
+        let all = self.capabilities.iter().flatten();
+        let own = all.filter_map(|one| if let Capability::Residual(own) = one { Some(*own) } else { None }).next();
+        let shown = |control| serde_json::to_string(&control).unwrap_or_default();
+        match own {
+            Some(own) if own != control => {
+                Err(format!("its control {} must be that of the estimator, {}", shown(control), shown(own)))
+            }
+            Some(_) | None => Ok(()),
         }
+    }
+
+    /// Only over estimates.
+    pub(super) fn draws_estimates(&self) -> Result<(), String> {
+        let why = || format!("it is laid over estimates, and {} draws distances", self.sampler);
+        if self.estimates { Ok(()) } else { Err(why()) }
     }
 
     /// Only under one majorant for the whole ray, since the place of a word among others tells what it is for.
     pub(super) fn under_one_majorant(&self) -> Result<(), String> {
         match self.medium.map(|medium| medium.majorants().ends().len()) {
             Some(n) if n != 1 => Err(format!("it needs one majorant for the whole ray, not {n} segments")),
-            _ => Ok(()),
+            Some(_) | None => Ok(()),
         }
     }
 
     /// Only in a medium of constant cells.
     pub(super) fn has_constant_cells(&self) -> Result<(), String> {
-        match self.medium.map(|medium| medium.cells()) {
-            Some(Cells::Constant) => Ok(()),
-            _ => Err("it needs a medium of constant cells, such as piecewise_constant".into()),
+        if self.medium.is_some_and(|medium| medium.cells() == Cells::Constant) {
+            Ok(())
+        } else {
+            Err("it needs a medium of constant cells, such as piecewise_constant".into())
         }
     }
 
     /// Only where channel `channel` exists.
     pub(super) fn has_channel(&self, channel: usize) -> Result<(), String> {
-        match self.channels.map(|channels| channels.media().len()) {
+        match self.mixture.as_ref().map(|mixture| mixture.channels().len()) {
             Some(n) if channel >= n => Err(format!("there is no channel {channel} (0 to {})", n - 1)),
-            _ => Ok(()),
+            Some(_) | None => Ok(()),
         }
     }
 }

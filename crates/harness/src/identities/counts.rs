@@ -1,5 +1,6 @@
 use crate::experiment::Probe;
 use crate::kind::Ray;
+use freepath_draws::column;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 

@@ -1,11 +1,11 @@
 //! Small blocks of draws for comparison, bit by bit.
 
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Numbers, column};
 
-/// The bits of every number of every row.
+/// The bits of every column of numbers of every row.
 pub(super) fn bits(draws: &Draws) -> Vec<Vec<u64>> {
-    let numbers = draws.columns().filter_map(|(_, numbers)| match numbers {
-        Numbers::F64(numbers) => Some(numbers),
+    let numbers = draws.columns().filter_map(|(column, numbers)| match numbers {
+        Numbers::F64(numbers) => (column.name() != column::AUXILIARY).then_some(numbers),
         Numbers::U32(_) => None,
     });
     let columns: Vec<&[f64]> = numbers.collect();

@@ -1,4 +1,5 @@
 use crate::experiment::Probe;
+use freepath_draws::column;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -18,9 +19,10 @@ pub(crate) fn zero_variance(variance: Option<f64>, expected: f64, probe: &Probe)
         return None;
     }
     let draws = probe.draw(2000, ROWS)?;
-    let first = draws.weight[0];
+    let weights = draws.f64(column::WEIGHT).ok()?;
+    let first = weights[0];
     let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + probe.subject.tolerance;
-    let other = draws.weight.iter().find(|weight| !same(weight))?;
+    let other = weights.iter().find(|weight| !same(weight))?;
     let words = format!("estimates are {first:e} and {other:e} where there can be no noise");
     Some(Fact::new(CHECK.0, Reason::WrongVariance, words))
 }

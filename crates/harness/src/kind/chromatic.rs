@@ -2,16 +2,16 @@ use super::{Kind, KindOf, Outline, Refusal};
 use crate::audit::Audited;
 use crate::case::ChromaticSamples;
 use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
-use crate::fault::{DrawnIn, SampledChannels};
+use crate::fault::ChannelMixture;
 use crate::identities;
 use crate::samples::SampleKind;
 use crate::scene::{ChannelScene, Scene};
 use crate::subject::Route;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{ChannelColumns, Draws, Row, Streams, column};
 use freepath_estimators::chromatic::AnyChromatic;
 use freepath_estimators::claims::Channel;
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{ChromaticSampler, MajorantChoice, Medium, ParameterError};
+use freepath_estimators::{Capability, ChromaticSampler, MajorantChoice, Medium, ParameterError};
 use freepath_statistics::Fact;
 use freepath_statistics::tally::Audit;
 
@@ -33,6 +33,7 @@ impl Kind for Chromatic {
     const WRONG: &'static str = "the weights of the chromatic sampler are wrong";
     const CONTROL: Option<&'static str> = None;
     const PROGRAM: SampleKind = SampleKind::Chromatic;
+    const ESTIMATES: bool = false;
     const GROWS: bool = false;
 
     type Sampler<'a> = dyn ChromaticSampler + 'a;
@@ -67,8 +68,8 @@ impl Kind for Chromatic {
         placed
     }
 
-    fn columns(medium: &ChromaticMedium, _: &Source<Self>, rows: usize) -> Draws {
-        Draws::new(rows).with_t().with_channels(medium.media().len())
+    fn row(medium: &ChromaticMedium, _: &Source<Self>) -> Row {
+        Row::new().with_f64(column::T).with_channels(medium.media().len())
     }
 
     fn draw(
@@ -97,9 +98,16 @@ impl Kind for Chromatic {
         plan::plan(medium, source, terms)
     }
 
-    fn drawn_in<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Self>) -> DrawnIn<'a> {
-        let channels = source.sampler().map(|sampler| SampledChannels { sampler, medium });
-        DrawnIn { medium: None, channels }
+    fn length(medium: &ChromaticMedium) -> f64 {
+        medium.length()
+    }
+
+    fn mixture<'a>(medium: &'a ChromaticMedium, sampler: &'a Self::Sampler<'a>) -> Option<ChannelMixture<'a>> {
+        Some(ChannelMixture::new(sampler, medium.channels()))
+    }
+
+    fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability> {
+        sampler.capabilities()
     }
 
     fn facts(medium: &ChromaticMedium, source: &Source<Self>, probe: &Probe) -> Vec<Fact> {
@@ -133,13 +141,11 @@ impl Kind for Chromatic {
 const ROUNDING: f64 = 1e-12;
 
 fn one_by_one(sampler: &dyn ChromaticSampler, seen: &[Channel], streams: &Streams, out: &mut Draws) {
+    let Ok(mut columns) = ChannelColumns::of(out) else { return }; // unwritten rows are NaN
     let (mut rng, mut weights) = (streams.rng(), vec![f64::NAN; seen.len()]);
-    for row in 0..out.rows {
+    for row in 0..columns.t.len() {
         let t = sampler.sample(seen, &mut rng, &mut weights);
-        out.put(row, t, 1.0, 0);
-        for (column, weight) in out.channels.iter_mut().zip(&weights) {
-            column[row] = *weight;
-        }
+        columns.put(row, t, &weights);
     }
 }
 

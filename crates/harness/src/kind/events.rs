@@ -1,6 +1,6 @@
 //! Weighted means of events along a ray: of a chromatic sampler, or of weighted free paths.
 
-use super::columns::{T, channel};
+use freepath_draws::column::{T, channel};
 use freepath_statistics::claim::{
     Claims, CountedPath, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
 };
@@ -35,7 +35,7 @@ pub(super) struct Events {
 impl Events {
     pub(super) fn tally(means: Vec<EventMean>, claims: &mut Claims) -> Self {
         let fold = |mean: &EventMean| EventSums {
-            column: channel(mean.channel),
+            column: channel(mean.channel).into_owned(),
             distance: T,
             event: mean.event,
             center: mean.mean.expected,
@@ -58,7 +58,7 @@ impl Events {
 
     /// Every weight of a row is finite, row by row.
     pub(super) fn rows(channels: usize, claims: &mut Claims) {
-        claims.push(FiniteRow { columns: (0..channels).map(channel).collect() });
+        claims.push(FiniteRow { columns: (0..channels).map(|k| channel(k).into_owned()).collect() });
     }
 
     /// Each event has its mean and, where a formula is known, its second moment.

@@ -3,15 +3,15 @@ use super::{Kind, KindOf, Outline, Refusal};
 use crate::agree::Agreement;
 use crate::case::FreePathSamples;
 use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
-use crate::fault::{DrawnIn, Fault};
+use crate::fault::Fault;
 use crate::identities;
 use crate::samples::SampleKind;
 use crate::scene::Scene;
 use freepath_draws::random::exponential;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Row, Streams, column};
 use freepath_estimators::medium::scaled;
 use freepath_estimators::free_path::AnyFreePath;
-use freepath_estimators::{Extinction, FreePath, MajorantChoice, ParameterError, FreePathSampler};
+use freepath_estimators::{Capability, Extinction, FreePath, MajorantChoice, ParameterError, FreePathSampler};
 use freepath_statistics::claim::Withdrawal;
 use freepath_statistics::Fact;
 use rand::Rng;
@@ -34,6 +34,7 @@ impl Kind for FreePathKind {
     const WRONG: &'static str = "the sampler does not follow the free-path law";
     const CONTROL: Option<&'static str> = Some("exact");
     const PROGRAM: SampleKind = SampleKind::FreePath;
+    const ESTIMATES: bool = false;
     const GROWS: bool = true;
 
     type Sampler<'a> = dyn FreePathSampler + 'a;
@@ -77,13 +78,14 @@ impl Kind for FreePathKind {
         placed.ray()
     }
 
-    fn columns(_: Ray, source: &Source<Self>, rows: usize) -> Draws {
-        let draws = Draws::new(rows).with_t();
+    fn row(_: Ray, source: &Source<Self>) -> Row {
+        let row = Row::new().with_f64(column::T);
+        let walk = |row: Row| row.with_f64(column::WEIGHT).with_u32(column::COLLISIONS);
         match source {
-            Source::Sampler(sampler) if sampler.marked() => draws.with_weight().with_collisions().with_mark(),
-            Source::Control | Source::Sampler(_) => draws.with_weight().with_collisions(),
-            Source::External(rows, _) if rows.is_weighted() => draws.with_channels(1),
-            Source::External(..) => draws,
+            Source::Sampler(sampler) if sampler.marked() => walk(row).with_f64(column::AUXILIARY),
+            Source::Control | Source::Sampler(_) => walk(row),
+            Source::External(rows, _) if rows.is_weighted() => row.with_channels(1),
+            Source::External(..) => row,
         }
     }
 
@@ -92,9 +94,9 @@ impl Kind for FreePathKind {
     }
 
     fn control(ray: Ray, streams: &Streams, out: &mut Draws) {
-        let mut rng = streams.rng();
-        for row in 0..out.rows {
-            out.put(row, ray.truth.inverse_tau(exponential(&mut rng)), 1.0, 0);
+        let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+        for row in 0..columns.rows() {
+            columns.put(row, ray.truth.inverse_tau(exponential(&mut rng)), 1.0, 0);
         }
     }
 
@@ -105,8 +107,12 @@ impl Kind for FreePathKind {
         }
     }
 
-    fn drawn_in<'a>(ray: Ray<'a>, _: &Source<'a, Self>) -> DrawnIn<'a> {
-        DrawnIn { medium: Some(ray.truth), channels: None }
+    fn length(ray: Ray) -> f64 {
+        ray.truth.length()
+    }
+
+    fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability> {
+        sampler.capabilities()
     }
 
     fn scene_facts(ray: Ray) -> Vec<Fact> {
@@ -157,7 +163,7 @@ const MOST_COLLISIONS: f64 = 50_000.0;
 
 /// 1 for an escape, 0 for a collision.
 fn escapes(draws: &Draws) -> f64 {
-    let t = draws.t[0];
+    let t = draws.f64(column::T).map_or(f64::NAN, |t| t[0]);
     if t.is_nan() { f64::NAN } else { f64::from(u8::from(t == f64::INFINITY)) }
 }
 
@@ -166,12 +172,18 @@ impl Methods for &dyn FreePathSampler {
         self.sample_block(medium, streams, out);
     }
 
-    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, row: usize, out: &mut Draws) -> FreePath {
-        if out.mark.is_empty() {
+    fn one(
+        &self,
+        medium: &dyn Extinction,
+        rng: &mut dyn Rng,
+        row: usize,
+        out: &mut PathColumns,
+    ) -> FreePath {
+        if !out.wants_auxiliary() {
             return self.sample(medium, rng);
         }
         let (path, mark) = self.sample_marked(medium, rng);
-        out.mark[row] = mark;
+        out.put_auxiliary(row, mark);
         path
     }
 }

@@ -8,7 +8,7 @@ use crate::fault::{Fault, FaultyMedium, FaultyRng, WalkContext};
 use crate::identities;
 use crate::scene::{MediumScene, Scene};
 use crate::subject::Route;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Streams};
 use freepath_estimators::{Extinction, FreePath, MajorantChoice, Medium, Under};
 use freepath_statistics::Fact;
 use rand::Rng;
@@ -106,7 +106,7 @@ pub(super) trait Methods {
     fn block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws);
 
     /// One draw; what a row has beside a path is written into `row`.
-    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, row: usize, out: &mut Draws) -> FreePath;
+    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, row: usize, out: &mut PathColumns) -> FreePath;
 }
 
 /// A block by the method that is wanted, behind the audit and the faults.
@@ -129,14 +129,15 @@ pub(super) fn draw(methods: &impl Methods, ray: Ray, context: &DrawContext, out:
 fn one_by_one(methods: &impl Methods, medium: &FaultyMedium, streams: &Streams, out: &mut Draws) {
     let mut stream = streams.rng();
     let mut rng = FaultyRng::new(&mut stream, medium.overlays());
-    for row in 0..out.rows {
+    let mut columns = PathColumns::of(out);
+    for row in 0..columns.rows() {
         let path = loop {
             medium.begin();
-            let path = methods.one(medium, &mut rng, row, out);
+            let path = methods.one(medium, &mut rng, row, &mut columns);
             if let Some(path) = medium.finish(path) {
                 break path;
             }
         };
-        out.put(row, path.t, path.weight, path.collisions);
+        columns.put(row, path.t, path.weight, path.collisions);
     }
 }

@@ -3,13 +3,13 @@ use super::ray::{Methods, PlacedRay, Ray, draw};
 use crate::agree::Agreement;
 use crate::case::TransmittanceSamples;
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Source, Terms};
-use crate::fault::{DrawnIn, Fault};
+use crate::fault::Fault;
 use crate::identities;
 use crate::samples::SampleKind;
 use crate::scene::Scene;
-use freepath_draws::{Draws, Streams};
+use freepath_draws::{Draws, PathColumns, Row, Streams, column};
 use freepath_estimators::transmittance::AnyTransmittance;
-use freepath_estimators::{Extinction, FreePath, MajorantChoice, ParameterError, TransmittanceEstimator};
+use freepath_estimators::{Capability, Extinction, FreePath, MajorantChoice, ParameterError, TransmittanceEstimator};
 use freepath_statistics::claim::Withdrawal;
 use freepath_statistics::Fact;
 use rand::Rng;
@@ -30,6 +30,7 @@ impl Kind for Transmittance {
     const WRONG: &'static str = "the mean of the estimator is not the transmittance";
     const CONTROL: Option<&'static str> = Some("closed_form");
     const PROGRAM: SampleKind = SampleKind::Transmittance;
+    const ESTIMATES: bool = true;
     const GROWS: bool = true;
 
     type Sampler<'a> = dyn TransmittanceEstimator + 'a;
@@ -73,9 +74,9 @@ impl Kind for Transmittance {
         placed.ray()
     }
 
-    fn columns(_: Ray, source: &Source<Self>, rows: usize) -> Draws {
-        let draws = Draws::new(rows).with_weight();
-        if source.is_external() { draws } else { draws.with_collisions() }
+    fn row(_: Ray, source: &Source<Self>) -> Row {
+        let row = Row::new().with_f64(column::WEIGHT);
+        if source.is_external() { row } else { row.with_u32(column::COLLISIONS) }
     }
 
     fn draw(estimator: &Self::Sampler<'_>, ray: Ray, context: &DrawContext, out: &mut Draws) -> Looked {
@@ -83,16 +84,20 @@ impl Kind for Transmittance {
     }
 
     fn control(ray: Ray, _: &Streams, out: &mut Draws) {
-        let transmittance = ray.transmittance();
-        (0..out.rows).for_each(|row| out.put(row, f64::INFINITY, transmittance, 0));
+        let (transmittance, mut columns) = (ray.transmittance(), PathColumns::of(out));
+        (0..columns.rows()).for_each(|row| columns.put(row, f64::INFINITY, transmittance, 0));
     }
 
     fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a> {
         plan::plan(ray, source, terms)
     }
 
-    fn drawn_in<'a>(ray: Ray<'a>, _: &Source<'a, Self>) -> DrawnIn<'a> {
-        DrawnIn { medium: Some(ray.truth), channels: None }
+    fn length(ray: Ray) -> f64 {
+        ray.truth.length()
+    }
+
+    fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability> {
+        sampler.capabilities()
     }
 
     fn scene_facts(ray: Ray) -> Vec<Fact> {
@@ -116,7 +121,7 @@ impl Kind for Transmittance {
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
         let mean = plan::Mean::of(ray, source, terms);
         Ok(Functional {
-            value: |draws| draws.weight[0],
+            value: |draws| draws.f64(column::WEIGHT).map_or(f64::NAN, |weight| weight[0]),
             expected: mean.truth.expected,
             declared: mean.own.map_or(0.0, |own| own.expected - mean.truth.expected),
             relative_error: ray.truth.tau_error(),
@@ -129,7 +134,7 @@ impl Methods for &dyn TransmittanceEstimator {
         self.estimate_block(medium, streams, out);
     }
 
-    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, _: usize, _: &mut Draws) -> FreePath {
+    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, _: usize, _: &mut PathColumns) -> FreePath {
         FreePath { t: f64::INFINITY, weight: self.estimate(medium, rng), collisions: 0 }
     }
 }

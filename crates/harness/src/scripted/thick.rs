@@ -6,7 +6,7 @@ use crate::blocks::SCRIPTS;
 use crate::experiment::Experiment;
 use crate::sample::sample_from;
 use crate::subject::Subject;
-use freepath_draws::{Draws, Key, Streams};
+use freepath_draws::{Draws, Key, Streams, column};
 use freepath_results::Reason;
 use freepath_statistics::claim::Finding;
 
@@ -34,7 +34,7 @@ pub(super) fn escapes(subject: &Subject, seed: u64) -> Findings {
 fn in_thick(subject: &Subject, experiment: &dyn Experiment, seed: u64) -> Option<Findings> {
     let thick = Subject { experiment, ..subject.clone() };
     let key = |i: u64| Key { seed, subject: subject.key, block: SCRIPTS + 1000 + i };
-    let (mut own, mut draws) = (subject.experiment.columns(ROWS), experiment.columns(ROWS));
+    let (mut own, mut draws) = (Draws::new(&subject.experiment.row(), ROWS), Draws::new(&experiment.row(), ROWS));
     sample_from(subject, Streams::new(key(0)), &mut own).ok()?;
     sample_from(&thick, Streams::new(key(0)), &mut draws).ok()?;
     let mut pairs = own.f64(column::T).ok()?.iter().zip(draws.f64(column::T).ok()?);

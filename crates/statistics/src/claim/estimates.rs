@@ -26,7 +26,7 @@ impl Claim for Estimates {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        let weight = crate::block::f64(draws, self.column)[row];
+        let weight = draws.f64(self.column).ok()?[row];
         finite(weight).or_else(|| outside(weight, self.range?))
     }
 

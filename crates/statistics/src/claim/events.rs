@@ -34,6 +34,6 @@ impl Claim for FiniteRow {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        self.columns.iter().find_map(|column| finite(crate::block::f64(draws, column)[row]))
+        self.columns.iter().find_map(|column| finite(draws.f64(column).ok()?[row]))
     }
 }

@@ -25,7 +25,7 @@ impl Claim for Path {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        look(crate::block::f64(draws, self.column)[row], self.length)
+        look(draws.f64(self.column).ok()?[row], self.length)
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
@@ -56,7 +56,7 @@ impl Claim for CountedPath {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        look(crate::block::f64(draws, self.column)[row], self.length)
+        look(draws.f64(self.column).ok()?[row], self.length)
     }
 }
 

@@ -23,7 +23,7 @@ impl Claim for UnitWeightClaim {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        finite(crate::block::f64(draws, self.column)[row])
+        finite(draws.f64(self.column).ok()?[row])
     }
 }
 

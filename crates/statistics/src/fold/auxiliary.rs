@@ -1,6 +1,7 @@
 use super::{Fold, Merge};
 use crate::block::{Block, CellIndex, Scratch};
 use crate::tally::{MarkTally, Scores};
+use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
 /// A number in [0, 1) that comes with each draw, by groups of another column's ranks.
@@ -27,7 +28,8 @@ impl Fold for Auxiliary {
         MarkTally::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut MarkTally) {
-        counts.observe(&self.scores, block.f64(self.column), scratch.cells(self.index));
+    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut MarkTally) -> Result<(), MissingColumn> {
+        counts.observe(&self.scores, block.f64(self.column)?, scratch.cells(self.index));
+        Ok(())
     }
 }

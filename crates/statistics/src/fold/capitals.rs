@@ -1,6 +1,7 @@
 use super::{Fold, Ordered};
 use crate::block::{Block, Scratch};
 use crate::sequence::{Bets, Capitals};
+use freepath_draws::MissingColumn;
 
 /// What bets on the rows of a column gain.
 pub struct CapitalSums {
@@ -28,7 +29,7 @@ impl Fold for CapitalSums {
     fn no_sums(&self) -> Capitals {
         Capitals::default()
     }
-    fn observe(&self, block: &Block, _: &mut Scratch, (): &mut ()) -> Capitals {
-        self.bets.on(block.f64(self.column))
+    fn observe(&self, block: &Block, _: &mut Scratch, (): &mut ()) -> Result<Capitals, MissingColumn> {
+        Ok(self.bets.on(block.f64(self.column)?))
     }
 }

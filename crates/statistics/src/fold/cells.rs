@@ -2,6 +2,7 @@ use super::{Fold, Merge};
 use crate::block::{Block, CellIndex, Scratch};
 use crate::law::Law;
 use crate::tally::CellTally;
+use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
 /// Counts of one column in the fine cells of a law; the cell of each row is left for other folds.
@@ -28,7 +29,8 @@ impl Fold for Cells {
         CellTally::new(&self.law)
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut CellTally) {
-        counts.observe(&self.law, block.f64(self.column), scratch.cells_mut(self.index));
+    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut CellTally) -> Result<(), MissingColumn> {
+        counts.observe(&self.law, block.f64(self.column)?, scratch.cells_mut(self.index));
+        Ok(())
     }
 }

@@ -2,6 +2,7 @@ use super::{Fold, Merge};
 use crate::block::{Block, CellIndex, Scratch};
 use crate::law::Law;
 use crate::tally::CountTally;
+use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
 /// What the numbers of collisions are counted against.
@@ -38,11 +39,12 @@ impl Fold for Collisions {
         }
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut CountTally) {
+    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut CountTally) -> Result<(), MissingColumn> {
         let cells = match &self.histogram {
             Histogram::Marginal => &[],
             Histogram::Joint(_, index) => scratch.cells(*index),
         };
-        counts.observe(block.u32(self.column), cells);
+        counts.observe(block.u32(self.column)?, cells);
+        Ok(())
     }
 }

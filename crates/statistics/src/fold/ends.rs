@@ -1,6 +1,7 @@
 use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
 use crate::tally::Extremes;
+use freepath_draws::MissingColumn;
 
 /// The values of a column that are nearest to either end of [0, length].
 pub struct Ends {
@@ -24,7 +25,8 @@ impl Fold for Ends {
         Box::new(Extremes::new(self.length))
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut Box<Extremes>) {
-        counts.observe(block.f64(self.column));
+    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut Box<Extremes>) -> Result<(), MissingColumn> {
+        counts.observe(block.f64(self.column)?);
+        Ok(())
     }
 }

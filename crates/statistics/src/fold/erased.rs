@@ -2,6 +2,7 @@
 
 use super::{Fold, LookupWatch, Merge, Ordered};
 use crate::block::{Block, Scratch};
+use freepath_draws::MissingColumn;
 use std::any::Any;
 
 /// Counts, sums or a part of a fold whose type only that fold knows.
@@ -30,7 +31,8 @@ pub(super) type Part = Box<dyn Any + Send>;
 pub(super) trait AnyFold: Send + Sync {
     fn empty(&self) -> Box<dyn State>;
     fn no_sums(&self) -> Box<dyn State>;
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut dyn State) -> Part;
+    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut dyn State)
+    -> Result<Part, MissingColumn>;
     fn watch<'a>(&self, nth: u64, counts: &'a mut dyn State) -> Option<&'a mut dyn LookupWatch>;
     fn merge(&self, counts: &mut dyn State, other: &dyn State);
     fn fold(&self, sums: &mut dyn State, part: &(dyn Any + Send));
@@ -56,8 +58,13 @@ impl<F: Fold> AnyFold for F {
     fn no_sums(&self) -> Box<dyn State> {
         Box::new(Fold::no_sums(self))
     }
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut dyn State) -> Part {
-        Box::new(Fold::observe(self, block, scratch, own_mut(counts)))
+    fn observe(
+        &self,
+        block: &Block,
+        scratch: &mut Scratch,
+        counts: &mut dyn State,
+    ) -> Result<Part, MissingColumn> {
+        Ok(Box::new(Fold::observe(self, block, scratch, own_mut(counts))?))
     }
     fn watch<'a>(&self, nth: u64, counts: &'a mut dyn State) -> Option<&'a mut dyn LookupWatch> {
         Fold::watch(self, nth, own_mut(counts))

@@ -1,6 +1,7 @@
 use super::{Fold, Merge, Ordered};
 use crate::block::{Block, Scratch};
 use crate::tally::{PowerSums, Tail};
+use freepath_draws::MissingColumn;
 
 /// Which draws a weight belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,14 +69,19 @@ impl Fold for EventSums {
     fn no_sums(&self) -> PowerSums {
         PowerSums::new(self.center)
     }
-    fn observe(&self, block: &Block, scratch: &mut Scratch, tail: &mut Option<Tail>) -> PowerSums {
-        let (weights, distances) = (block.f64(&self.column), block.f64(self.distance));
+    fn observe(
+        &self,
+        block: &Block,
+        scratch: &mut Scratch,
+        tail: &mut Option<Tail>,
+    ) -> Result<PowerSums, MissingColumn> {
+        let (weights, distances) = (block.f64(&self.column)?, block.f64(self.distance)?);
         let counts = |(&w, &t): (&f64, &f64)| if self.event.holds(t) || t.is_nan() { w } else { 0.0 };
         scratch.masked.clear();
         scratch.masked.extend(weights.iter().zip(distances).map(counts));
         if let Some(tail) = tail {
             tail.observe(&scratch.masked);
         }
-        PowerSums::of(self.center, &scratch.masked)
+        Ok(PowerSums::of(self.center, &scratch.masked))
     }
 }

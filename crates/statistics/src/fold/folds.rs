@@ -1,6 +1,7 @@
 use super::erased::{AnyFold, Part, State, own};
 use super::{Fold, LookupWatch};
 use crate::block::{Block, CellIndex, Scratch};
+use freepath_draws::MissingColumn;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -72,9 +73,17 @@ impl Folds {
     }
 
     /// Counts the rows of a block, and sums them up.
-    pub fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut Counts) -> Parts {
+    ///
+    /// # Errors
+    /// If the block lacks a column that a fold reads.
+    pub fn observe(
+        &self,
+        block: &Block,
+        scratch: &mut Scratch,
+        counts: &mut Counts,
+    ) -> Result<Parts, MissingColumn> {
         let all = self.list.iter().zip(&mut counts.0);
-        Parts(all.map(|(fold, counts)| fold.observe(block, scratch, &mut **counts)).collect())
+        all.map(|(fold, counts)| fold.observe(block, scratch, &mut **counts)).collect::<Result<_, _>>().map(Parts)
     }
 
     /// Takes in what another worker counted.

@@ -1,6 +1,7 @@
 use super::{Fold, Merge};
 use crate::block::{Block, CellIndex, Scratch};
 use crate::tally::{LagTally, Scores};
+use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
 /// Products and tables of draws that are a few rows apart, in ranks.
@@ -25,7 +26,8 @@ impl Fold for Lags {
         LagTally::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, _: &Block, scratch: &mut Scratch, counts: &mut LagTally) {
+    fn observe(&self, _: &Block, scratch: &mut Scratch, counts: &mut LagTally) -> Result<(), MissingColumn> {
         counts.observe(&self.scores, scratch.cells(self.index));
+        Ok(())
     }
 }

@@ -2,6 +2,7 @@ use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
 use crate::hypothesis::BlockLookups;
 use crate::tally::Audit;
+use freepath_draws::MissingColumn;
 
 /// What the audit saw of each block; nothing of draws that are made elsewhere.
 pub struct Lookups;
@@ -30,10 +31,11 @@ impl Fold for Lookups {
         LookupCounts::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut LookupCounts) {
+    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut LookupCounts) -> Result<(), MissingColumn> {
         if let Some(&audit) = block.audit {
             counts.audit = counts.audit.plus(audit);
             counts.blocks.observe(audit.lookups);
         }
+        Ok(())
     }
 }

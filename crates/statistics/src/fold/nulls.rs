@@ -2,6 +2,7 @@ use super::{Fold, LookupWatch, Merge};
 use crate::block::{Block, CellIndex, Scratch, is_early};
 use crate::law::Law;
 use crate::tally::NullTally;
+use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
 /// Tentative and real collisions along the ray, of the first blocks.
@@ -32,10 +33,11 @@ impl Fold for Nulls {
         NullTally::new(&self.law)
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut NullTally) {
+    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut NullTally) -> Result<(), MissingColumn> {
         if block.is_early() {
             counts.draws(scratch.cells(self.index));
         }
+        Ok(())
     }
     fn watch<'a>(&self, nth: u64, counts: &'a mut NullTally) -> Option<&'a mut dyn LookupWatch> {
         if is_early(nth) { Some(counts) } else { None }

@@ -1,5 +1,6 @@
 use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
+use freepath_draws::MissingColumn;
 
 /// Distances that no law counts: of a column whose law is not claimed.
 pub struct Strays {
@@ -33,11 +34,12 @@ impl Fold for Strays {
         StrayCounts::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut StrayCounts) {
+    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut StrayCounts) -> Result<(), MissingColumn> {
         let inside = |t: f64| (t >= 0.0 && t <= self.length) || t == f64::INFINITY;
-        for &t in block.f64(self.column) {
+        for &t in block.f64(self.column)? {
             counts.non_finite += u64::from(t.is_nan());
             counts.out_of_support += u64::from(!t.is_nan() && !inside(t));
         }
+        Ok(())
     }
 }

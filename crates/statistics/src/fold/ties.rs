@@ -1,6 +1,7 @@
 use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
 use crate::tally::TieTally;
+use freepath_draws::MissingColumn;
 
 /// Equal values of a column: all of them in the first blocks, among neighbours after that.
 pub struct Ties {
@@ -22,7 +23,8 @@ impl Fold for Ties {
         TieTally::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut TieTally) {
-        counts.observe(block.f64(self.column), block.is_early());
+    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut TieTally) -> Result<(), MissingColumn> {
+        counts.observe(block.f64(self.column)?, block.is_early());
+        Ok(())
     }
 }

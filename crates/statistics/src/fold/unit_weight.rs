@@ -1,5 +1,6 @@
 use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
+use freepath_draws::MissingColumn;
 
 /// How many rows have a weight other than 1.
 pub struct UnitWeight {
@@ -21,8 +22,9 @@ impl Fold for UnitWeight {
         0
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut u64) {
+    fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut u64) -> Result<(), MissingColumn> {
         let other = |weight: &&f64| weight.to_bits() != 1f64.to_bits();
-        *counts += block.f64(self.column).iter().filter(other).count() as u64;
+        *counts += block.f64(self.column)?.iter().filter(other).count() as u64;
+        Ok(())
     }
 }

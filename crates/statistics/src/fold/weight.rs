@@ -1,6 +1,7 @@
 use super::{Fold, Ordered};
 use crate::block::{Block, Scratch};
 use crate::tally::{Batch, Batches, PowerSums, Running, Tail};
+use freepath_draws::MissingColumn;
 
 /// Power sums of a column, its running mean, and its variance and cost by groups of blocks.
 pub struct Weights {
@@ -66,15 +67,20 @@ impl Fold for Weights {
         let all = PowerSums::new(self.center);
         WeightSums { all, running: Running::default(), batches: Batches::default() }
     }
-    fn observe(&self, block: &Block, _: &mut Scratch, tail: &mut Option<Tail>) -> WeightPart {
-        let column = block.f64(self.column);
+    fn observe(
+        &self,
+        block: &Block,
+        _: &mut Scratch,
+        tail: &mut Option<Tail>,
+    ) -> Result<WeightPart, MissingColumn> {
+        let column = block.f64(self.column)?;
         if let Some(tail) = tail {
             tail.observe(column);
         }
-        WeightPart {
+        Ok(WeightPart {
             sums: PowerSums::of(self.center, column),
             early: if block.number == 0 { self.early(column) } else { Vec::new() },
             lookups: block.audit.map_or(0, |audit| audit.lookups),
-        }
+        })
     }
 }

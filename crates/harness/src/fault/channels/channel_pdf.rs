@@ -1,6 +1,6 @@
-use crate::fault::{BlockContext, Injection, SampledChannels, Target};
-use freepath_draws::Draws;
-use freepath_estimators::claims::Channel;
+use crate::fault::{BlockContext, Injection, Target};
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
+use freepath_estimators::Capability;
 
 /// Weights are divided by the density of one channel alone, where that of the mixture is due.
 ///
@@ -16,23 +16,18 @@ pub struct ChannelPdf {
     channel: usize,
 }
 
-/// The density of a channel at `t`, or its probability of reaching the end.
-pub(super) fn density(channel: &Channel, t: f64) -> f64 {
-    let mu = channel.extinction.mu(0.0);
-    if t.is_finite() { mu * libm::exp(-mu * t) } else { libm::exp(-mu * channel.extinction.length()) }
-}
-
 impl Injection for ChannelPdf {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["balance", "power"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::ChannelMixture]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.has_channel(self.channel)
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
-        let channels = medium.channels();
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some(mixture) = &context.mixture else { return Ok(()) };
         let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
         for (row, &mut t) in t.iter_mut().enumerate() {
-            let factor = sampler.pdf(&channels, t).unwrap_or(f64::NAN) / density(&channels[self.channel], t);
+            let factor = mixture.pdf(t) / mixture.density(self.channel, t);
             weights.iter_mut().for_each(|column| column[row] *= factor);
         }
         Ok(())

@@ -1,5 +1,6 @@
-use crate::fault::{BlockContext, Injection, SampledChannels, Target};
-use freepath_draws::Draws;
+use crate::fault::{BlockContext, ChannelMixture, Injection, Target};
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
+use freepath_estimators::Capability;
 
 /// A transparent channel is never drawn, and what it should carry is left to the rare escapes of the others (Cycles, commit
 /// 2276a98f8).
@@ -24,43 +25,46 @@ const RARELY: f64 = 1e-3;
 const THIN: f64 = 1e-9;
 
 impl DroppedChannel {
-    /// Whether drawing again comes to an end.
-    fn ends(&self, target: &Target) -> bool {
-        let Some(medium) = target.channels else { return true };
-        let probability = |k: usize| target.parameters["channel_probabilities"][k].as_f64();
-        let dense = |k: usize| medium.channels()[k].extinction.mu(0.0) * medium.length() >= THIN;
-        let often = |k: usize| probability(k).is_none_or(|q| q >= RARELY);
-        (0..medium.media().len()).any(|k| k != self.channel && often(k) && dense(k))
+    /// Whether drawing again comes to an end, if channels have these probabilities.
+    fn ends(&self, mixture: &ChannelMixture, probabilities: &[f64]) -> bool {
+        let dense = |k: usize| mixture.mu(k) * mixture.channels()[k].extinction.length() >= THIN;
+        let mut drawn = probabilities.iter().enumerate();
+        drawn.any(|(k, &q)| k != self.channel && q >= RARELY && dense(k))
     }
 }
 
 impl Injection for DroppedChannel {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["single_channel"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::ChannelDensity]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.has_channel(self.channel)?;
-        let drawn = target.parameters["channel_probabilities"][self.channel].as_f64();
-        if target.parameters["channel"].is_u64() || drawn.is_some_and(|q| q >= 1.0) {
-            return Err("it needs other channels that are drawn".into());
+        let Some(mixture) = &target.mixture else { return Ok(()) };
+        let Some(probabilities) = mixture.probabilities() else {
+            return Err("it needs a sampler that claims how likely each channel is drawn".into());
+        };
+        let drawn = probabilities[self.channel];
+        if !(drawn > 0.0 && drawn < 1.0) {
+            return Err("it needs a channel that is drawn, and others that are drawn, too".into());
         }
-        if !self.ends(target) {
+        if !self.ends(mixture, &probabilities) {
             let needed = format!("drawn at {RARELY} or more, of an optical depth of {THIN} or more");
             return Err(format!("it needs another channel to draw again from, {needed}"));
         }
-        let clear =
-            target.channels.is_some_and(|medium| medium.channels()[self.channel].extinction.mu(0.0) <= 0.0);
+        let clear = mixture.mu(self.channel) <= 0.0;
         if clear { Ok(()) } else { Err(format!("channel {} must be transparent", self.channel)) }
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
-        let (channels, mut rng) = (medium.channels(), context.rng());
-        let mut weights: Vec<f64> = vec![0.0; channels.len()];
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some(mixture) = &context.mixture else { return Ok(()) };
+        let mut rng = context.rng();
+        let mut weights: Vec<f64> = vec![0.0; mixture.channels().len()];
         let mut columns = ChannelColumns::of(draws)?;
         for row in 0..columns.t.len() {
             weights.iter_mut().zip(&columns.channels).for_each(|(weight, column)| *weight = column[row]);
             let mut t = columns.t[row];
             // the channel's own escapes weigh 1 in it, those of others 1 / T_c
             while t == f64::INFINITY && weights[self.channel] <= 1.0 {
-                t = sampler.sample(&channels, &mut rng, &mut weights);
+                t = mixture.redraw(&mut rng, &mut weights);
             }
             columns.put(row, t, &weights);
         }

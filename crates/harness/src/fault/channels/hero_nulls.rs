@@ -1,5 +1,6 @@
-use crate::fault::{BlockContext, Injection, SampledChannels, Target};
-use freepath_draws::Draws;
+use crate::fault::{BlockContext, Injection};
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
+use freepath_estimators::Capability;
 
 /// Null collisions are chosen by the sampling channel's probability alone (Mitsuba 3, issues 1387 and 1628).
 ///
@@ -16,14 +17,13 @@ use freepath_draws::Draws;
 pub struct HeroNulls {}
 
 impl Injection for HeroNulls {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["single_channel"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::ChannelDensity]
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some(SampledChannels { medium, .. }) = context.drawn.channels else { return };
-        let channels = medium.channels();
-        let mu = |k: usize| channels[k].extinction.mu(0.0);
-        let densest = (0..channels.len()).fold(0, |most, k| if mu(k) > mu(most) { k } else { most });
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some(mixture) = &context.mixture else { return Ok(()) };
+        let denser = |most, k| if mixture.mu(k) > mixture.mu(most) { k } else { most };
+        let densest = (0..mixture.channels().len()).fold(0, denser);
         let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
         for row in (0..t.len()).filter(|&row| t[row] == f64::INFINITY) {
             // only its own escapes weigh 1 in the densest channel: those of others weigh T_densest / T_c

@@ -1,7 +1,7 @@
-use crate::fault::{BlockContext, Injection, SampledChannels, Target};
-use freepath_draws::Draws;
+use crate::fault::{BlockContext, Injection};
 use freepath_draws::random::{exponential, uniform};
 use freepath_draws::{ChannelColumns, Draws, MissingColumn};
+use freepath_estimators::Capability;
 
 /// Escapes are weighed at the sampled optical depth instead of the medium's (Tungsten, commit 3907542).
 ///
@@ -17,20 +17,19 @@ use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 pub struct SampledDepth {}
 
 impl Injection for SampledDepth {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["balance"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::BalanceHeuristic]
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
-        let channels = medium.channels();
-        let Some(mixture) = sampler.claims(&channels).mixture else { return Ok(()) };
-        let (length, mut rng) = (medium.length(), context.rng());
-        let mu: Vec<f64> = channels.iter().map(|channel| channel.extinction.mu(0.0)).collect();
-        let mean = |s: f64| mixture.iter().zip(&mu).map(|(q, mu)| q * libm::exp(-mu * s)).sum::<f64>();
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some(mixture) = &context.mixture else { return Ok(()) };
+        let Some(probabilities) = mixture.probabilities() else { return Ok(()) };
+        let (length, mut rng) = (context.length, context.rng());
+        let mu: Vec<f64> = (0..mixture.channels().len()).map(|k| mixture.mu(k)).collect();
+        let mean = |s: f64| probabilities.iter().zip(&mu).map(|(q, mu)| q * libm::exp(-mu * s)).sum::<f64>();
         let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
         for row in (0..t.len()).filter(|&row| t[row] == f64::INFINITY) {
             let mut left = uniform(&mut rng) * mean(length);
-            let drawn = mixture.iter().zip(&mu).position(|(q, mu)| {
+            let drawn = probabilities.iter().zip(&mu).position(|(q, mu)| {
                 left -= q * libm::exp(-mu * length);
                 left < 0.0
             });

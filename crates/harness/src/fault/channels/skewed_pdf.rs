@@ -1,8 +1,7 @@
-use super::channel_pdf::density;
-use crate::fault::{BlockContext, Injection, SampledChannels, Target};
-use freepath_draws::Draws;
-use freepath_estimators::ParameterError;
+use crate::fault::{BlockContext, Injection, Target};
+use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 use freepath_estimators::parameter::positive;
+use freepath_estimators::{Capability, ParameterError};
 
 /// The density of one channel is another in the weight than in the sampling (three-gpu-pathtracer, issue 847: a ratio of
 /// 0.93).
@@ -25,18 +24,19 @@ impl Injection for SkewedPdf {
     fn check(&self) -> Result<(), ParameterError> {
         positive("factor", self.factor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["balance"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::BalanceHeuristic]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.has_channel(self.channel)
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        let Some(SampledChannels { sampler, medium }) = context.drawn.channels else { return };
-        let channels = medium.channels();
-        let Some(mixture) = sampler.claims(&channels).mixture else { return Ok(()) };
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let Some(mixture) = &context.mixture else { return Ok(()) };
+        let Some(probabilities) = mixture.probabilities() else { return Ok(()) };
         let ChannelColumns { t, channels: mut weights } = ChannelColumns::of(draws)?;
         for (row, &mut t) in t.iter_mut().enumerate() {
-            let right: f64 = channels.iter().zip(&mixture).map(|(channel, q)| q * density(channel, t)).sum();
-            let own = mixture[self.channel] * density(&channels[self.channel], t);
+            let right: f64 = probabilities.iter().enumerate().map(|(k, q)| q * mixture.density(k, t)).sum();
+            let own = probabilities[self.channel] * mixture.density(self.channel, t);
             let factor = right / (right + (self.factor - 1.0) * own);
             weights.iter_mut().for_each(|column| column[row] *= factor);
         }

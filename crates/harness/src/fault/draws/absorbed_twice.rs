@@ -1,5 +1,5 @@
 use crate::fault::{BlockContext, Injection, Target};
-use freepath_draws::Draws;
+use freepath_draws::{Draws, MissingColumn, column};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::not_negative;
 
@@ -21,14 +21,12 @@ impl Injection for AbsorbedTwice {
     fn check(&self) -> Result<(), ParameterError> {
         not_negative("mu_a", self.mu_a).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_a("transmittance")
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
-    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) {
-        if let Some(truth) = context.drawn.medium {
-            let factor = libm::exp(-self.mu_a * truth.length());
-            draws.f64_mut(column::WEIGHT)?.iter_mut().for_each(|weight| *weight *= factor);
-        }
+    fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
+        let factor = libm::exp(-self.mu_a * context.length);
+        draws.f64_mut(column::WEIGHT)?.iter_mut().for_each(|weight| *weight *= factor);
         Ok(())
     }
 }

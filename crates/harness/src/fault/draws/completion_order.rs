@@ -1,7 +1,7 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection};
 use freepath_draws::{Draws, MissingColumn, NumbersMut, column};
-use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, ParameterError};
 
 /// Draws are handed out in the order in which walks end, not in the order in which they start: short walks come first.
 ///
@@ -21,8 +21,8 @@ impl Injection for CompletionOrder {
     fn check(&self) -> Result<(), ParameterError> {
         require((2..=16_384).contains(&self.window), "window", self.window, "2 to 16384").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking", "ratio_tracking", "residual_ratio_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Collisions]
     }
     fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let collisions = draws.u32(column::COLLISIONS)?.to_vec();

@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection};
 use freepath_draws::random::uniform;
 use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
@@ -21,9 +21,6 @@ pub struct DuplicatedDraws {
 impl Injection for DuplicatedDraws {
     fn check(&self) -> Result<(), ParameterError> {
         require(self.share > 0.0 && self.share < 1.0, "share", self.share, "between 0 and 1").map(drop)
-    }
-    fn fits(&self, _target: &Target) -> Result<(), String> {
-        Ok(())
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let mut rng = context.rng();

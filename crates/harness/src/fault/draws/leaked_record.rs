@@ -1,5 +1,6 @@
 use crate::fault::{BlockContext, Injection, Target};
 use freepath_draws::{Draws, MissingColumn, column};
+use freepath_estimators::Capability;
 
 /// The record of a history that ended with weight 0 is not reset, and leaks into the next (MCX, issue 222; pbrt-v4, commit
 /// 4ba4b4b1).
@@ -14,8 +15,11 @@ use freepath_draws::{Draws, MissingColumn, column};
 pub struct LeakedRecord {}
 
 impl Injection for LeakedRecord {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["ratio_tracking", "residual_ratio_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Collisions]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
     fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let weight = draws.f64(column::WEIGHT)?.to_vec();

@@ -1,4 +1,4 @@
-use crate::fault::{BlockContext, Injection, Target};
+use crate::fault::{BlockContext, Injection};
 use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
@@ -22,9 +22,6 @@ pub struct NanDraw {
 impl Injection for NanDraw {
     fn check(&self) -> Result<(), ParameterError> {
         require(self.walk < self.of, "walk", self.walk, "less than `of`").map(drop)
-    }
-    fn fits(&self, _target: &Target) -> Result<(), String> {
-        Ok(())
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         for row in 0..draws.rows() {

@@ -1,4 +1,4 @@
-use crate::fault::{Injection, Target};
+use crate::fault::Injection;
 use freepath_draws::Key;
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
@@ -20,9 +20,6 @@ pub struct SameSeed {
 impl Injection for SameSeed {
     fn check(&self) -> Result<(), ParameterError> {
         require(self.copies >= 2, "copies", self.copies, "at least 2").map(drop)
-    }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        if target.estimator == "samples" { Err("a file of samples has no seed".into()) } else { Ok(()) }
     }
     fn alter_key(&self, key: Key) -> Key {
         Key { block: key.block - key.block % self.copies, ..key }

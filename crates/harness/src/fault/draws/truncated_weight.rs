@@ -22,8 +22,8 @@ impl Injection for TruncatedWeight {
     fn check(&self) -> Result<(), ParameterError> {
         positive("below", self.below).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_a("transmittance")
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
     fn corrupt_draws(&self, _context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         draws

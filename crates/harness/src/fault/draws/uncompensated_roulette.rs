@@ -27,8 +27,8 @@ impl Injection for UncompensatedRoulette {
         let allowed = self.survival > 0.0 && self.survival < 1.0;
         require(allowed, "survival", self.survival, "between 0 and 1").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_a("transmittance")
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let mut rng = context.rng();

@@ -26,8 +26,8 @@ impl Injection for WindowWeight {
         positive("below", self.below)?;
         positive("survivor", self.survivor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_a("transmittance")
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.draws_estimates()
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let mut rng = context.rng();

@@ -1,7 +1,7 @@
-use super::flipped_residual::{control_at, fits};
+use super::flipped_residual::control_at;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
 use freepath_estimators::transmittance::Control;
+use freepath_estimators::{Capability, Extinction};
 
 /// Residual tracking with the absolute value of mu - mu_c (a typical slip).
 ///
@@ -31,8 +31,11 @@ impl Overlay for Absolute<'_> {
 }
 
 impl Injection for AbsoluteResidual {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        fits(self.control, target)
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Residual(self.control)]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.has_control(self.control)
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Absolute { control: self.control, medium: context.medium }))

@@ -1,7 +1,7 @@
 use super::next_cell::Next;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, ParameterError};
 
 /// The walk through the cells is off by one where the direction is negative (fast_voxel_traversal, issue 7).
 ///
@@ -22,8 +22,10 @@ impl Injection for BackwardCells {
         let allowed = self.along.is_finite() && self.along != 0.0;
         require(allowed, "along", self.along, "finite and not 0").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.has_constant_cells()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
+use crate::fault::{Injection, Overlay, WalkContext};
 use freepath_estimators::parameter::positive;
-use freepath_estimators::{Extinction, Majorants, Medium, ParameterError};
+use freepath_estimators::{Capability, Extinction, Majorants, Medium, ParameterError};
 
 /// A majorant that is short, and mu clamped to it: the cure of a symptom (pbrt-v4, issue 82; Cycles, commit 7f2a81371).
 ///
@@ -30,8 +30,8 @@ impl Injection for ClampedDensity {
     fn check(&self) -> Result<(), ParameterError> {
         positive("factor", self.factor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.asks_majorants()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Majorants]
     }
     fn alter_majorants(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
         majorants.map_bounds(|mu_bar| self.factor * mu_bar)

@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, Overlay, WalkContext};
 use freepath_estimators::parameter::positive;
+use freepath_estimators::{Capability, ParameterError};
 
 /// A small extinction is taken for none, whatever the length of the ray (Cycles, commit e9d7d473b).
 ///
@@ -28,8 +28,8 @@ impl Injection for DensityCutoff {
     fn check(&self) -> Result<(), ParameterError> {
         positive("below", self.below).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Cutoff(self.below)))

@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Overlay, RayView, Target, WalkContext};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, Overlay, RayView, WalkContext};
 use freepath_estimators::parameter::positive;
+use freepath_estimators::{Capability, ParameterError};
 
 /// A small extinction is raised to a floor, to keep a quotient finite (MCX, commit 3067a26).
 ///
@@ -28,8 +28,8 @@ impl Injection for DensityFloor {
     fn check(&self) -> Result<(), ParameterError> {
         positive("floor", self.floor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         ray.majorants = ray.majorants.map(|mu| if mu < self.floor { self.floor } else { mu });

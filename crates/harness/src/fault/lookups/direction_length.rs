@@ -1,7 +1,7 @@
-use crate::fault::{BlockContext, Injection, Overlay, RayView, Target, WalkContext};
+use crate::fault::{BlockContext, Injection, Overlay, RayView, WalkContext};
 use freepath_draws::{Draws, MissingColumn, column};
-use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::positive;
+use freepath_estimators::{Capability, ParameterError};
 
 /// A world distance becomes a ray parameter by multiplying with the length of the direction (pbrt-v3, issue 159).
 ///
@@ -33,8 +33,8 @@ impl Injection for DirectionLength {
     fn check(&self) -> Result<(), ParameterError> {
         positive("length", self.length).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         let d = self.length;

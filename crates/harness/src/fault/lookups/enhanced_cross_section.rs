@@ -1,7 +1,7 @@
 use super::missing_scale::Times;
-use crate::fault::{Injection, Overlay, RayView, Target, WalkContext};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, Overlay, RayView, WalkContext};
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, ParameterError};
 
 /// Flights are shortened by an enhanced cross section, and one reaction does not undo it by its weight (EGSnrc, issue 956).
 ///
@@ -33,8 +33,8 @@ impl Injection for EnhancedCrossSection {
         let allowed = self.share >= 0.0 && self.share <= 1.0;
         require(allowed, "share", self.share, "from 0 to 1").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         ray.majorants = ray.majorants.map(|mu| self.excess() * mu);

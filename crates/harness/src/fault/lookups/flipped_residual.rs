@@ -1,6 +1,6 @@
 use crate::fault::{Injection, Overlay, Target, WalkContext};
 use freepath_estimators::transmittance::Control;
-use freepath_estimators::{Extinction, Majorants};
+use freepath_estimators::{Capability, Extinction, Majorants};
 
 /// Residual tracking with the sign of mu - mu_c flipped (a typical slip).
 ///
@@ -28,14 +28,6 @@ pub(super) fn control_at(control: Control, majorants: &Majorants, t: f64) -> f64
     }
 }
 
-/// The fault has the control that the estimator has.
-pub(super) fn fits(control: Control, target: &Target) -> Result<(), String> {
-    target.is_one_of(&["residual_ratio_tracking"])?;
-    let stated = serde_json::to_value(control).unwrap_or_default();
-    let own = &target.parameters["control"];
-    if *own == stated { Ok(()) } else { Err(format!("its control {stated} must be that of the estimator, {own}")) }
-}
-
 struct Flipped<'a> {
     control: Control,
     medium: &'a dyn Extinction,
@@ -48,8 +40,11 @@ impl Overlay for Flipped<'_> {
 }
 
 impl Injection for FlippedResidual {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        fits(self.control, target)
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Residual(self.control)]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.has_control(self.control)
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Flipped { control: self.control, medium: context.medium }))

@@ -1,5 +1,5 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::{Capability, Extinction};
 
 /// The test of a tentative collision is inverted (Celeritas, issue 888, and again in commit 39c7a5115).
 ///
@@ -22,8 +22,8 @@ impl Overlay for Inverted<'_> {
 }
 
 impl Injection for InvertedAcceptance {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Acceptance]
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Inverted(context.medium)))

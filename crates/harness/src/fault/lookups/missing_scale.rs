@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Overlay, RayView, Target, WalkContext};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, Overlay, RayView, WalkContext};
 use freepath_estimators::parameter::positive;
+use freepath_estimators::{Capability, ParameterError};
 
 /// The sampler leaves out the scale that the transmittance has (Tungsten, commit 371e6f4; MCX, commit 4d9cf86, where a factor
 /// multiplies instead of dividing).
@@ -30,8 +30,8 @@ impl Injection for MissingScale {
     fn check(&self) -> Result<(), ParameterError> {
         positive("factor", self.factor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         ray.majorants = ray.majorants.map(|mu| self.factor * mu);

@@ -1,6 +1,6 @@
 use crate::fault::cells::around;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
+use freepath_estimators::{Capability, Extinction};
 
 /// A step through a cell is charged with the extinction of the next one (Celeritas, issue 363).
 ///
@@ -24,8 +24,10 @@ impl Overlay for Next<'_> {
 }
 
 impl Injection for NextCell {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.has_constant_cells()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

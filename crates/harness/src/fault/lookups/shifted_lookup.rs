@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, Overlay, WalkContext};
 use freepath_estimators::parameter::finite;
+use freepath_estimators::{Capability, ParameterError};
 
 /// Every look-up is a distance away from where it should be: half a step, say.
 ///
@@ -35,8 +35,8 @@ impl Injection for ShiftedLookup {
     fn check(&self) -> Result<(), ParameterError> {
         finite("by", self.by).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Shift { by: self.by, length: context.medium.length() }))

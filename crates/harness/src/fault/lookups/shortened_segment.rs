@@ -1,6 +1,6 @@
-use crate::fault::{Injection, RayView, Target};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, RayView};
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, ParameterError};
 
 /// A shadow ray ends a little before its end (Mitsuba 3, commit 9b2212891).
 ///
@@ -20,8 +20,8 @@ impl Injection for ShortenedSegment {
     fn check(&self) -> Result<(), ParameterError> {
         require(self.share > 0.0 && self.share < 1.0, "share", self.share, "between 0 and 1").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         let end = ray.length * (1.0 - self.share);

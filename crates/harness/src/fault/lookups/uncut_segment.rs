@@ -1,6 +1,6 @@
-use crate::fault::{Injection, RayView, Target};
-use freepath_estimators::ParameterError;
+use crate::fault::{Injection, RayView};
 use freepath_estimators::parameter::not_negative;
+use freepath_estimators::{Capability, ParameterError};
 
 /// The last cell is not cut where the ray ends (pbrt-v4, commit 415c0538).
 ///
@@ -20,8 +20,8 @@ impl Injection for UncutSegment {
     fn check(&self) -> Result<(), ParameterError> {
         not_negative("by", self.by).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn alter_ray(&self, ray: &mut RayView) {
         let (end, beyond) = (ray.length, ray.length + self.by);

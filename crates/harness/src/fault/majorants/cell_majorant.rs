@@ -1,5 +1,5 @@
 use crate::fault::{Injection, Target};
-use freepath_estimators::{Majorants, Medium};
+use freepath_estimators::{Capability, Majorants, Medium};
 
 /// The majorant of a cell is the extinction at one place of it, though interpolation reaches what the neighbours own
 /// (OpenVKL, commit c4ed6402).
@@ -28,12 +28,12 @@ enum CellPlace {
 }
 
 impl Injection for CellMajorant {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.asks_majorants()?;
-        match target.medium {
-            Some(medium) if medium.breaks().is_empty() => Err("it needs a medium of several cells".into()),
-            _ => Ok(()),
-        }
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Majorants]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        let several = target.medium.is_some_and(|medium| !medium.breaks().is_empty());
+        if several { Ok(()) } else { Err("it needs a medium of several cells".into()) }
     }
     fn alter_majorants(&self, truth: &dyn Medium, majorants: Majorants) -> Majorants {
         let ends: Vec<f64> = truth.breaks().iter().copied().chain([truth.length()]).collect();

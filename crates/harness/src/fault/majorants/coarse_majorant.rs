@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Target};
+use crate::fault::Injection;
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Majorants, Medium, ParameterError};
+use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// The majorant is the greatest of a few look-ups, and what peaks between them is missed (MC/DC, commit 8daf153).
 ///
@@ -20,8 +20,8 @@ impl Injection for CoarseMajorant {
     fn check(&self) -> Result<(), ParameterError> {
         require((2..=1_000_000).contains(&self.points), "points", self.points, "2 to 1000000").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.asks_majorants()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Majorants]
     }
     fn alter_majorants(&self, truth: &dyn Medium, _majorants: Majorants) -> Majorants {
         let step = truth.length() / f64::from(self.points - 1);

@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Target};
+use crate::fault::Injection;
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Majorants, Medium, ParameterError};
+use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// A majorant larger than it need be (pbrt-v4, issue 189: the maxima of two grids are added where that of both suffices).
 ///
@@ -21,8 +21,8 @@ impl Injection for LooseMajorant {
         let allowed = self.times >= 1.0 && self.times < f64::INFINITY;
         require(allowed, "times", self.times, "finite and at least 1").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.asks_majorants()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Majorants]
     }
     fn alter_majorants(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
         majorants.map_bounds(|mu_bar| self.times * mu_bar)

@@ -1,6 +1,6 @@
-use crate::fault::{Injection, Target};
+use crate::fault::Injection;
 use freepath_estimators::parameter::positive;
-use freepath_estimators::{Majorants, Medium, ParameterError};
+use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// A majorant that is a factor of what it should be (pbrt-v4, issue 33: the greatest of some wavelengths and 2.5 % more is no
 /// bound).
@@ -21,8 +21,8 @@ impl Injection for ShortMajorant {
     fn check(&self) -> Result<(), ParameterError> {
         positive("factor", self.factor).map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.asks_majorants()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Majorants]
     }
     fn alter_majorants(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
         majorants.map_bounds(|mu_bar| self.factor * mu_bar)

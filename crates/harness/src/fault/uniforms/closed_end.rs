@@ -1,8 +1,8 @@
 use crate::fault::walk_progress::WalkProgress;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::FreePath;
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, FreePath};
 use std::cell::Cell;
 
 /// Uniforms that may be exactly 1 meet ln(1 - u): the flight is infinite (PyTorch, issue 2561; Julia, issue 51890).
@@ -54,8 +54,10 @@ impl Injection for ClosedEnd {
     fn check(&self) -> Result<(), ParameterError> {
         require((8..=52).contains(&self.bits), "bits", self.bits, "8 to 52").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking", "regular_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Flights, Capability::Analog]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

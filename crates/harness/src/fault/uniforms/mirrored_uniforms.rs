@@ -1,4 +1,5 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::Capability;
 
 /// Harmless: every uniform u becomes 1 - u, less one unit in the last place, so that -ln(1 - u) is -ln(u) with u in (0, 1].
 ///
@@ -20,8 +21,8 @@ impl Overlay for Mirror {
 }
 
 impl Injection for MirroredUniforms {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Mirror))

@@ -1,6 +1,6 @@
 use crate::fault::walk_progress::depth_of;
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::{Capability, Extinction};
 use std::cell::Cell;
 
 /// The same uniform gives the flight in each segment along the path (pbrt-v4, issue 221).
@@ -60,12 +60,8 @@ impl Overlay for Repeat<'_> {
 }
 
 impl Injection for RepeatedFlight {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking"])?;
-        if target.parameters["form"] == "carry" {
-            return Err("it needs the form `restart`: `carry` draws nothing at a boundary".into());
-        }
-        Ok(())
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::TentativeCollisions, Capability::FreshFlights]
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         let (t, crossing, flight) = (Cell::default(), Cell::default(), Cell::new(true));

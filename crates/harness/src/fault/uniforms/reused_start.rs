@@ -1,4 +1,5 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::Capability;
 use std::cell::Cell;
 
 /// Of two things drawn one after the other, the second starts with the number that the first started with (SCONE, commit
@@ -36,8 +37,8 @@ impl Overlay for Reused {
 }
 
 impl Injection for ReusedStart {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Reused { before: Cell::default(), first: Cell::new(true) }))

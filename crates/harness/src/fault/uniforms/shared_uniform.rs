@@ -1,5 +1,6 @@
 use crate::fault::walk_progress::WalkProgress;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
+use freepath_estimators::Capability;
 use std::cell::Cell;
 
 /// Step and acceptance use the same uniform (a typical slip).
@@ -40,8 +41,10 @@ impl Overlay for Shared {
 }
 
 impl Injection for SharedUniform {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Acceptance]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

@@ -1,6 +1,7 @@
 use crate::fault::walk_progress::{WalkProgress, word_of};
 use crate::fault::{Injection, Overlay, Target, WalkContext};
 use freepath_draws::math;
+use freepath_estimators::Capability;
 use std::sync::LazyLock;
 
 /// Exponentials from a ziggurat whose wedges take the height of the neighbouring layer (Rust's std, issue 10084; the method is
@@ -73,8 +74,10 @@ impl Overlay for Ziggurat {
 }
 
 impl Injection for WrongWedge {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking", "ratio_tracking", "regular_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Flights]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

@@ -1,8 +1,8 @@
 use crate::fault::walk_progress::WalkProgress;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
 use freepath_draws::random::Spent;
-use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
+use freepath_estimators::{Capability, ParameterError};
 
 /// A step of exactly zero is read as no step chosen, and the loop never ends (EGSnrc, issue 179).
 ///
@@ -45,8 +45,10 @@ impl Injection for ZeroStep {
     fn check(&self) -> Result<(), ParameterError> {
         require((8..=52).contains(&self.bits), "bits", self.bits, "8 to 52").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking", "ratio_tracking", "regular_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Flights]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

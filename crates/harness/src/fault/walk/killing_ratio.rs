@@ -1,7 +1,7 @@
 use crate::fault::block_context::FAULT_LANE;
-use crate::fault::{Injection, Overlay, Target, WalkContext};
+use crate::fault::{Injection, Overlay, WalkContext};
 use freepath_draws::random::uniform;
-use freepath_estimators::{Extinction, FreePath};
+use freepath_estimators::{Capability, Extinction, FreePath};
 use std::cell::{Cell, RefCell};
 
 /// Ratio tracking that kills as well as weighs (OpenVKL, commit b3525463).
@@ -38,8 +38,8 @@ impl Overlay for Killing<'_> {
 }
 
 impl Injection for KillingRatio {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["ratio_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::RatioWeight]
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         let rng = RefCell::new(Box::new(context.key.lane(FAULT_LANE)));

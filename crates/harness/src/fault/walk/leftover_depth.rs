@@ -1,7 +1,7 @@
 use crate::fault::cells::around;
 use crate::fault::walk_progress::depth_of;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
+use freepath_estimators::{Capability, Extinction};
 use std::cell::Cell;
 
 /// The optical depth left over is not reduced at the end of a cell (a typical slip).
@@ -34,11 +34,11 @@ impl Overlay for Leftover<'_> {
 }
 
 impl Injection for LeftoverDepth {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["regular_tracking"])?;
-        target.has_constant_cells()?;
-        let constant = target.parameters["cells"] == "constant";
-        if constant { Ok(()) } else { Err("it needs regular_tracking of constant cells".into()) }
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::ConstantCells]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
+        target.has_constant_cells()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Leftover { medium: context.medium, depth: Cell::default() }))

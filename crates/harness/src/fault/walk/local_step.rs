@@ -1,6 +1,6 @@
 use crate::fault::walk_progress::{WalkProgress, depth_of, word_of};
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::Extinction;
+use freepath_estimators::{Capability, Extinction};
 use std::cell::Cell;
 
 /// The step uses mu where the walk stands, the acceptance the majorant (SCONE, commit dcfd46e0).
@@ -42,8 +42,10 @@ impl Overlay for Local<'_> {
 }
 
 impl Injection for LocalStep {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking", "ratio_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::TentativeCollisions]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

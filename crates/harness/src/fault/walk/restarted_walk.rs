@@ -1,6 +1,6 @@
 use crate::fault::walk_progress::WalkProgress;
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::FreePath;
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::{Capability, FreePath};
 use std::cell::Cell;
 
 /// After a null collision the walk is back at the start of the ray (a typical slip).
@@ -44,8 +44,8 @@ impl Overlay for Restart {
 }
 
 impl Injection for RestartedWalk {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Acceptance]
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Restart::default()))

@@ -2,7 +2,7 @@ use crate::fault::walk_progress::WalkProgress;
 use crate::fault::{Injection, Overlay, Target, WalkContext};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
-use freepath_estimators::{Extinction, FreePath};
+use freepath_estimators::{Capability, Extinction, FreePath};
 use std::cell::Cell;
 
 /// The probability of a null collision rounds to a little more than 0, and its weight divides 0 by 0 (pbrt-v4, issues 172,
@@ -58,8 +58,10 @@ impl Injection for RoundedNull {
     fn check(&self) -> Result<(), ParameterError> {
         require((8..=52).contains(&self.bits), "bits", self.bits, "8 to 52").map(drop)
     }
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["delta_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::Acceptance]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

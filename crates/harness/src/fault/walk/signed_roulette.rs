@@ -1,5 +1,5 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::{Extinction, FreePath};
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::{Capability, Extinction, FreePath};
 use std::cell::Cell;
 
 /// A roulette survives with the weight itself as probability, so that every negative weight dies (Tungsten, commit 96303fb).
@@ -34,8 +34,8 @@ impl Overlay for Signed<'_> {
 }
 
 impl Injection for SignedRoulette {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["ratio_tracking"])
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::RatioWeight]
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Signed { medium: context.medium, killed: Cell::default() }))

@@ -1,5 +1,5 @@
 use crate::fault::{Injection, Overlay, Target, WalkContext};
-use freepath_estimators::{Extinction, FreePath};
+use freepath_estimators::{Capability, Extinction, FreePath};
 use std::cell::Cell;
 
 /// The product of contributions and that of densities are kept apart in single precision, where both leave its range
@@ -50,8 +50,10 @@ impl Overlay for Products<'_> {
 }
 
 impl Injection for SplitProducts {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.is_one_of(&["ratio_tracking"])?;
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::RatioWeight]
+    }
+    fn accepts(&self, target: &Target) -> Result<(), String> {
         target.under_one_majorant()
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {

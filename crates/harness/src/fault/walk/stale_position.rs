@@ -1,4 +1,5 @@
-use crate::fault::{Injection, Overlay, Target, WalkContext};
+use crate::fault::{Injection, Overlay, WalkContext};
+use freepath_estimators::Capability;
 use std::cell::Cell;
 
 /// The collision test uses mu at the position before the step (a typical slip).
@@ -26,8 +27,8 @@ impl Overlay for Last {
 }
 
 impl Injection for StalePosition {
-    fn fits(&self, target: &Target) -> Result<(), String> {
-        target.looks_up()
+    fn needs(&self) -> Vec<Capability> {
+        vec![Capability::LookUps]
     }
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         Some(Box::new(Last::default()))

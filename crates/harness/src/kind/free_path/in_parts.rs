@@ -1,10 +1,10 @@
 use crate::audit::Audited;
 use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
-use crate::fault::{DrawnIn, FaultyMedium, FaultyRng, WalkContext};
+use crate::fault::{ChannelMixture, FaultyMedium, FaultyRng, WalkContext};
 use crate::kind::{Kind, Ray};
 use crate::samples::SampleSource;
 use crate::subject::Route;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, PathColumns, Row, column};
 use freepath_draws::random::StreamRng;
 use freepath_estimators::medium::segment;
 use freepath_estimators::{Extinction, FreePathSampler, Medium};
@@ -29,8 +29,8 @@ impl Experiment for InParts<'_> {
     fn wrong(&self) -> &'static str {
         super::FreePathKind::WRONG
     }
-    fn columns(&self, rows: usize) -> Draws {
-        Draws::new(rows).with_t()
+    fn row(&self) -> Row {
+        Row::new().with_f64(column::T)
     }
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
         let seen = self.ray.seen;
@@ -40,10 +40,12 @@ impl Experiment for InParts<'_> {
         let walk = |medium| WalkContext { medium, key: context.streams.key() };
         let [first, second] = [&audited[0], &audited[1]].map(|part| FaultyMedium::new(walk(part), context.faults));
         let mut rng = context.streams.rng();
-        for t in &mut out.t {
+        let mut columns = PathColumns::of(out);
+        for row in 0..columns.rows() {
             let reached = distance(self.sampler, &first, &mut rng);
             let escaped = reached == f64::INFINITY;
-            *t = if escaped { self.beyond(distance(self.sampler, &second, &mut rng)) } else { reached };
+            let t = if escaped { self.beyond(distance(self.sampler, &second, &mut rng)) } else { reached };
+            columns.put(row, t, 1.0, 0);
         }
         let audit = audited[0].record().plus(audited[1].record());
         Looked { audit, spent: audited.iter().any(Audited::spent) }
@@ -57,8 +59,11 @@ impl Experiment for InParts<'_> {
     fn external(&self) -> Option<&dyn SampleSource> {
         None
     }
-    fn drawn_in(&self) -> DrawnIn<'_> {
-        DrawnIn { medium: Some(self.ray.truth), channels: None }
+    fn length(&self) -> f64 {
+        self.ray.truth.length()
+    }
+    fn mixture(&self) -> Option<ChannelMixture<'_>> {
+        None
     }
     fn scene_facts(&self) -> Vec<Fact> {
         Vec::new()

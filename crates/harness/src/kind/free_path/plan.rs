@@ -2,7 +2,7 @@ use super::FreePathKind;
 use super::in_parts::{InParts, cut, works_in_parts};
 use crate::experiment::{Beside, Plan, Source, Terms};
 use crate::kind::Ray;
-use crate::kind::columns::{COLLISIONS, MARK, T, WEIGHT};
+use freepath_draws::column::{AUXILIARY, COLLISIONS, T, WEIGHT};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
 use freepath_statistics::CellIndex;
@@ -219,7 +219,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         let wanted = self.source.sampler().is_some_and(FreePathSampler::marked);
         if wanted && self.terms.stands(Withdrawal::Independent) {
             let scores = Arc::new(Scores::new(self.laws.followed()));
-            let numbers = self.claims.folds.add(Auxiliary { column: MARK, scores, index: self.index });
+            let numbers = self.claims.folds.add(Auxiliary { column: AUXILIARY, scores, index: self.index });
             self.claims.push(AuxiliaryClaim { numbers });
         }
     }

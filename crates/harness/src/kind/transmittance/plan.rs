@@ -1,7 +1,7 @@
 use super::Transmittance;
 use crate::experiment::{Plan, Source, Terms};
 use crate::kind::Ray;
-use crate::kind::columns::{COLLISIONS, WEIGHT};
+use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_statistics::claim::{

@@ -5,6 +5,7 @@ use crate::fold::{CapitalSums, Folds, Tallies};
 use crate::hypothesis::{self, Interval, MeanClaim, Method, interval_at, nearest, within};
 use crate::sequence::{BetaBinomial, Bets, EmpiricalBernstein, Looks};
 use crate::tally::PowerSums;
+use freepath_draws::column;
 use freepath_results::Reason;
 
 /// Growth towards a bound on |bias|.
@@ -66,7 +67,7 @@ impl Sequence for Bias<'_> {
         let (truth, variance) = (&self.claim.truth, power_sums(seen, self.claim.weights).variance());
         let range = truth.range.unwrap_or_default();
         let bets = Bets::new(truth.expected, truth.slack, range, Some(variance), target);
-        folds.replaced(capitals, CapitalSums { column: "weight", bets })
+        folds.replaced(capitals, CapitalSums { column: column::WEIGHT, bets })
     }
 }
 

@@ -1,0 +1,16 @@
+/// The place where a fault is laid, which says how the subject must be driven: the folder of its file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// The majorants, under the audit: by the block method.
+    Majorants,
+    /// The look-ups and the ray, above the audit: by the block method.
+    LookUps,
+    /// One walk at a time, its uniforms and its look-ups: by the scalar method.
+    Walk,
+    /// The uniforms of one walk at a time: by the scalar method.
+    Uniforms,
+    /// The draws of a block.
+    Draws,
+    /// The weights of a block of chromatic draws.
+    Channels,
+}
