@@ -1,9 +1,20 @@
 //! Draws that are made elsewhere: a finished file, a pipe, or a program that is started for each stage.
 
+mod escapes;
+mod events;
+mod file;
+mod row_format;
+mod row_reader;
+
 use freepath_draws::Draws;
 use freepath_statistics::Fact;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
+
+pub use escapes::{Escape, EscapeRule, Escapes};
+pub use file::{Request, SINGLE_TOLERANCE, SampleFile};
+pub use row_format::{Column, ColumnFormat, Excess, Place, Reading, RowFormat};
+pub(crate) use row_reader::RowReader;
 
 /// What the rows of a source say, and so which columns of [`Draws`] they fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,7 @@
 //! Subjects whose draws are made elsewhere.
 
 use crate::program::Program;
-use crate::samples::{SampleKind, SampleSource};
-use crate::source::samples::SampleFile;
+use crate::samples::{SampleFile, SampleKind, SampleSource};
 
 /// Where the draws of a subject come from, if it does not make them here.
 pub enum Origin {

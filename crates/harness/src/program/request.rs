@@ -2,8 +2,7 @@
 
 use super::log::Log;
 use super::{Program, nodes};
-use crate::samples::{SampleKind, Wanted};
-use crate::source::samples::meaning::Meaning;
+use crate::samples::{EscapeRule, Escapes, Place, RowFormat, SampleKind, Wanted};
 use freepath_estimators::Medium;
 use serde_json::{Map, Value, json};
 use std::io;
@@ -36,6 +35,18 @@ impl Setting<'_> {
         }
     }
 
+    /// A row, all of whose columns come in their order: a free path that is the length within the tolerance is an escape.
+    fn rows(&self) -> RowFormat {
+        let Self { kind, length, channels, .. } = *self;
+        match kind {
+            SampleKind::FreePath | SampleKind::WeightedFreePath => {
+                RowFormat::free_path(Place::Only, EscapeRule { length, escapes: Escapes::AtLength })
+            }
+            SampleKind::Transmittance => RowFormat::estimate(Place::Only),
+            SampleKind::Chromatic => RowFormat::chromatic(length, channels),
+        }
+    }
+
     fn majorants(&self) -> Vec<Value> {
         let Some(medium) = self.truth else { return Vec::new() };
         let bounds = medium.majorants();
@@ -50,7 +61,7 @@ impl Program {
     /// # Errors
     /// If the table of the medium cannot be written.
     pub(crate) fn new(argv: &[String], folder: PathBuf, idle: Duration, setting: &Setting) -> io::Result<Self> {
-        let Setting { kind, length, channels, tolerance, .. } = *setting;
+        let Setting { kind, length, tolerance, .. } = *setting;
         let table = setting.truth.map(nodes::write).transpose()?.flatten();
         let mut request = json!({
             "protocol": PROTOCOL, "kind": setting.kind(), "medium": setting.medium, "majorants": setting.majorants(),
@@ -63,10 +74,8 @@ impl Program {
             table_file = Some(file);
         }
         let Value::Object(request) = request else { return Err(io::Error::other("no request")) };
-        let across = if kind == SampleKind::Chromatic { 2 + channels } else { 1 };
-        let meaning = Meaning::of_program(kind, length, tolerance);
-        let (argv, log) = (argv.to_vec(), Log::default());
-        Ok(Self { argv, folder, idle, kind, across, meaning, request, log, _table: table_file })
+        let (argv, format, log) = (argv.to_vec(), setting.rows(), Log::default());
+        Ok(Self { argv, folder, idle, kind, format, tolerance, request, log, _table: table_file })
     }
 }
 
