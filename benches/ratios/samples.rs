@@ -6,8 +6,7 @@ use freepath_estimators::medium::Constant;
 use freepath_harness::collect::{Watch, observe};
 use freepath_harness::experiment::{InScene, Source};
 use freepath_harness::kind::{FreePathKind, Ray};
-use freepath_harness::samples::SampleKind;
-use freepath_harness::source::samples::{Escape, Request, SampleFile};
+use freepath_harness::samples::{EscapeRule, Escapes, Place, Request, RowFormat, SampleFile};
 use freepath_harness::subject::Subject;
 use std::fs::File;
 use std::hint::black_box;
@@ -117,19 +116,10 @@ impl Kind {
 
 /// Both stages of the file, as `freepath check` judges them.
 fn judged(path: &Path, medium: &Constant) -> Fallible<()> {
-    let request = Request {
-        kind: SampleKind::FreePath,
-        format: None,
-        column: None,
-        weight: None,
-        escape: Escape::Infinity,
-        channels: 0,
-        length: LENGTH,
-        draws: None,
-        tolerance: None,
-    };
+    let rows = RowFormat::free_path(Place::Only, EscapeRule { length: LENGTH, escapes: Escapes::AtInfinity });
+    let request = Request { rows, format: None, draws: None, tolerance: None };
     let file = SampleFile::open(path, &request)?;
-    let source = Source::External(SampleKind::FreePath, &file);
+    let source = Source::External(&file);
     let experiment = InScene::<FreePathKind> { source, scene: Ray::of(medium) };
     let subject = Subject {
         draws: file.first_rows(),

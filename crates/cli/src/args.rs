@@ -3,8 +3,9 @@
 use crate::number;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use freepath_formats::Format;
 use freepath_harness::kind::KINDS;
-use freepath_harness::source::samples::{Escape, Format};
+use freepath_harness::samples::Escape;
 use std::path::PathBuf;
 
 /// Statistical verification of free-path samplers and transmittance estimators.

@@ -5,7 +5,7 @@ use crate::agree::Agreement;
 use crate::case::{AnyNamed, Faults, MOST_DRAWS, Named, SampleArguments, SamplesSpec};
 use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Source, Terms};
 use crate::fault::{ChannelMixture, Expectation, Fault};
-use crate::samples::SampleKind;
+use crate::samples::RowFormat;
 use crate::scene::Scene;
 use freepath_draws::{Draws, Row, Streams};
 use freepath_estimators::medium::ChromaticMedium;
@@ -84,8 +84,6 @@ pub trait Kind: Sized + Send + Sync + 'static {
     const WRONG: &'static str;
     /// The name of the harness's own source, if it has one.
     const CONTROL: Option<&'static str>;
-    /// The rows that a program writes.
-    const PROGRAM: SampleKind;
     /// Whether a row is an estimate.
     const ESTIMATES: bool;
     /// Whether draws may grow towards a bound on the bias: there is one mean, or one law.
@@ -146,8 +144,11 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// The scene as a sampler sees it.
     fn scene(placed: &Self::Placed) -> Self::Scene<'_>;
 
-    /// The columns that `source` fills.
-    fn row(scene: Self::Scene<'_>, source: &Source<'_, Self>) -> Row;
+    /// The columns that a sampler fills, or the harness's own source.
+    fn row(scene: Self::Scene<'_>, sampler: Option<&Self::Sampler<'_>>) -> Row;
+
+    /// What a row of a program says: all of its columns come in their order.
+    fn program_rows(outline: &Outline) -> RowFormat;
 
     /// Fills a block by a sampler, behind the audit and the faults.
     fn draw(sampler: &Self::Sampler<'_>, scene: Self::Scene<'_>, context: &DrawContext, out: &mut Draws)

@@ -15,12 +15,10 @@
 //! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
 //! give different ones (else `dependent`).
 
-use crate::samples::{Rows, SampleKind, SampleSource, Wanted};
-use crate::source::Refusal;
-use crate::source::samples::meaning::Meaning;
-use crate::source::samples::table::Table;
+use crate::samples::{RowFormat, RowReader, Rows, SampleSource, Wanted};
 use crate::subject::BLOCK;
-use freepath_draws::Draws;
+use freepath_draws::{Draws, Row};
+use freepath_formats::{Refusal, Table};
 use freepath_statistics::Fact;
 use log::Log;
 use process::Process;
@@ -57,10 +55,9 @@ pub struct Program {
     /// Where it runs.
     folder: PathBuf,
     idle: Duration,
-    kind: SampleKind,
-    /// Numbers of a row.
-    across: usize,
-    meaning: Meaning,
+    format: RowFormat,
+    /// The relative error of a distance.
+    tolerance: f64,
     request: serde_json::Map<String, serde_json::Value>,
     log: Log,
     /// The nodes of the medium; the file lives as long as the program.
@@ -68,12 +65,6 @@ pub struct Program {
 }
 
 impl Program {
-    /// What its rows say.
-    #[must_use]
-    pub fn kind(&self) -> SampleKind {
-        self.kind
-    }
-
     /// What it has written to standard error so far, in all its starts, up to [`MOST_LOG`] bytes.
     #[must_use]
     pub fn log(&self) -> String {
@@ -95,7 +86,12 @@ impl Program {
             log: &self.log,
             cancelled: wanted.cancelled,
         };
-        started.start(line, draws.saturating_mul(8 * self.across as u64))
+        started.start(line, draws.saturating_mul(8 * self.across() as u64))
+    }
+
+    /// Numbers of a row.
+    fn across(&self) -> usize {
+        self.format.columns.len()
     }
 
     fn error(&self, refusal: &Refusal) -> String {
@@ -109,8 +105,13 @@ impl SampleSource for Program {
         let (seed, stage) =
             (request::seed(wanted, wanted.blocks.start), crate::blocks::stage_of(wanted.blocks.start));
         let process = self.start(draws, seed, stage, wanted).map_err(|why| self.error(&why))?;
-        let output = Output { process, across: self.across, bytes: Vec::new() };
-        Ok(Box::new(ProgramRows { program: self, output, left: draws, read: 0, events: Vec::new() }))
+        let output = Output { process, across: self.across(), bytes: Vec::new() };
+        let reader = RowReader::new(&self.format, self.tolerance, 0);
+        Ok(Box::new(ProgramRows { program: self, output, reader, left: draws }))
+    }
+
+    fn row(&self) -> Row {
+        self.format.row()
     }
 
     fn finished(&self) -> bool {
@@ -146,15 +147,14 @@ impl Table for Output<'_> {
 struct ProgramRows<'a> {
     program: &'a Program,
     output: Output<'a>,
+    reader: RowReader<'a>,
     left: u64,
-    read: u64,
-    events: Vec<f64>,
 }
 
 impl ProgramRows<'_> {
     fn fill(&mut self, rows: usize, draws: &mut Draws) -> Result<(), Refusal> {
-        self.program.meaning.read(&mut self.output, rows, draws, &mut self.events, self.read)?;
-        (self.read, self.left) = (self.read + rows as u64, self.left - rows as u64);
+        self.reader.read(&mut self.output, rows, draws)?;
+        self.left -= rows as u64;
         if self.left == 0 { self.output.process.finish() } else { Ok(()) }
     }
 }

@@ -1,33 +1,20 @@
 //! Draws that are made elsewhere: a finished file, a pipe, or a program that is started for each stage.
 
-use freepath_draws::Draws;
+mod escapes;
+mod events;
+mod file;
+mod row_format;
+mod row_reader;
+
+use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-/// What the rows of a source say, and so which columns of [`Draws`] they fill.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SampleKind {
-    /// `t`, infinity for an escape.
-    FreePath,
-    /// `t` and, as the only channel, its statistical weight.
-    WeightedFreePath,
-    /// `weight`: the estimate.
-    Transmittance,
-    /// `t` and the weight of each channel.
-    Chromatic,
-}
-
-impl SampleKind {
-    /// Whether each distance has a weight.
-    #[must_use]
-    pub fn is_weighted(self) -> bool {
-        match self {
-            Self::WeightedFreePath => true,
-            Self::FreePath | Self::Transmittance | Self::Chromatic => false,
-        }
-    }
-}
+pub use escapes::{Escape, EscapeRule, Escapes};
+pub use file::{Request, SINGLE_TOLERANCE, SampleFile};
+pub use row_format::{ColumnFormat, Excess, Fills, Place, Reading, RowFormat};
+pub(crate) use row_reader::RowReader;
 
 /// The rows that a stage asks for.
 #[derive(Clone, Debug)]
@@ -49,6 +36,9 @@ pub trait SampleSource: Send + Sync {
     /// # Errors
     /// Why there are none, in words that repeat nothing of a file's content: the subject fails as `subject_error`.
     fn open<'a>(&'a self, wanted: &Wanted<'a>) -> Result<Box<dyn Rows + 'a>, String>;
+
+    /// The columns of its rows.
+    fn row(&self) -> Row;
 
     /// Whether every draw is made already: then both stages are read, whatever the first one gives, so that all draws are
     /// judged.

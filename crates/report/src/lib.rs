@@ -11,7 +11,6 @@
 //! sensible length, numbers may be anything, series may be empty.
 
 mod beside;
-mod digest;
 mod draw;
 mod error;
 mod figures;
@@ -20,14 +19,15 @@ mod json;
 mod number;
 mod page;
 mod plot;
+mod run_id;
 mod save;
 mod site;
 mod text;
 
 pub use beside::Beside;
-pub use digest::run_id;
 pub use error::ReportError;
 pub use json::json;
+pub use run_id::run_id;
 
 use freepath_results::{MediumResult, Results, Timings};
 use std::path::Path;

@@ -12,13 +12,13 @@ mod summary;
 mod table;
 pub(crate) mod words;
 
-use crate::digest::{base64, sha256};
 use crate::draw::FONT;
 use crate::figures::Figures;
 use crate::site::Site;
 use crate::text::script_json;
 use crate::{Options, ReportError};
 use askama::Template;
+use base64::prelude::{BASE64_STANDARD, Engine};
 use case::CaseView;
 use controls::ControlRow;
 use figure::Reading;
@@ -26,6 +26,7 @@ use level::LevelView;
 use matrix::Matrix;
 use power::PowerView;
 use rayon::prelude::*;
+use sha2::{Digest, Sha256};
 use summary::Summary;
 use table::Row;
 
@@ -61,7 +62,7 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options)
     let cases = (0..site.cases.len()).into_par_iter().map(|i| CaseView::new(site, figures, &readings, i));
     let page = Page {
         policy: policy(),
-        font: base64(FONT),
+        font: BASE64_STANDARD.encode(FONT),
         style: STYLE,
         script: SCRIPT,
         json: script_json(&facts(site, run)),
@@ -82,7 +83,7 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options)
 
 /// Nothing is loaded, and no script runs but the page's own.
 fn policy() -> String {
-    let hash = base64(&sha256(SCRIPT.as_bytes()));
+    let hash = BASE64_STANDARD.encode(Sha256::digest(SCRIPT));
     format!(
         "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{hash}'; img-src data:; font-src data:; \
          base-uri 'none'; form-action 'none'"
@@ -100,4 +101,16 @@ fn facts(site: &Site, run: &str) -> serde_json::Value {
         "subjects": results.results.len(),
         "as_expected": results.results.iter().filter(|r| r.as_expected).count(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digests_are_written_as_the_standards_say() {
+        assert_eq!(BASE64_STANDARD.encode(b"fooba"), "Zm9vYmE="); // RFC 4648
+        let empty = BASE64_STANDARD.encode(Sha256::digest(b""));
+        assert_eq!(empty, "47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
+    }
 }

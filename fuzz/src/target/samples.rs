@@ -2,9 +2,11 @@
 
 use super::volume::header_length;
 use super::{Answer, PLAIN, Reader, Target};
-use freepath_draws::{Draws, Row, column};
-use freepath_harness::samples::{SampleKind, SampleSource, Wanted};
-use freepath_harness::source::samples::{Escape, Format, Request, SampleFile};
+use freepath_draws::Draws;
+use freepath_formats::Format;
+use freepath_harness::samples::{
+    EscapeRule, Escapes, Place, Request, RowFormat, SampleFile, SampleSource, Wanted,
+};
 use freepath_harness::subject::BLOCK;
 use std::io::Cursor;
 use std::path::Path;
@@ -124,25 +126,16 @@ fn streams() -> Vec<Vec<u8>> {
 }
 
 /// What one may ask of a file.
-fn requests() -> [Request<'static>; 4] {
-    let base = Request {
-        kind: SampleKind::FreePath,
-        format: None,
-        column: None,
-        weight: None,
-        escape: Escape::Infinity,
-        channels: 0,
-        length: 2.0,
-        draws: None,
-        tolerance: None,
-    };
-    let (column, weight) = (Some("0"), Some("1"));
-    [
-        Request { escape: Escape::AtLength, ..base.clone() },
-        Request { kind: SampleKind::WeightedFreePath, column, weight, ..base.clone() },
-        Request { kind: SampleKind::Transmittance, column: Some("w"), ..base.clone() },
-        Request { kind: SampleKind::Chromatic, channels: 2, ..base },
-    ]
+fn requests() -> [Request; 4] {
+    let of = |escapes| EscapeRule { length: 2.0, escapes };
+    let place = |column| Place::stated(Some(column));
+    let rows = [
+        RowFormat::free_path(Place::Only, of(Escapes::FromLength)),
+        RowFormat::weighted_free_path(place("0"), place("1"), of(Escapes::AtInfinity)),
+        RowFormat::estimate(place("w")),
+        RowFormat::chromatic(2.0, 2),
+    ];
+    rows.map(|rows| Request { rows, format: None, draws: None, tolerance: None })
 }
 
 fn from_file(folder: &Path, name: &str) -> Reader {
@@ -166,16 +159,15 @@ fn stream(input: &[u8]) -> Answer {
 
 /// Under every request; well if one of them is met.
 fn any(open: impl Fn(&Request) -> Result<SampleFile, String>) -> Answer {
-    let answers = requests().map(|request| open(&request).and_then(|file| read(&file, request.channels)));
+    let answers = requests().map(|request| open(&request).and_then(|file| read(&file, &request.rows)));
     answers.into_iter().reduce(Result::or).unwrap_or(Ok(()))
 }
 
 /// All rows of both stages, which must be as many as the file says.
-fn read(file: &SampleFile, channels: usize) -> Answer {
+fn read(file: &SampleFile, format: &RowFormat) -> Answer {
     let (never, first) = (AtomicBool::new(false), file.first_rows().div_ceil(BLOCK as u64));
-    let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT);
-    let row = row.with_channels(if channels == 0 { 1 } else { channels });
-    let (mut draws, mut rows) = (Draws::new(&row, BLOCK), 0);
+    let mut draws = Draws::new(&format.row(), BLOCK);
+    let mut rows = 0;
     for blocks in [0..first, first..3 * first] {
         let wanted = Wanted { seed: 1, subject: 1, blocks, cancelled: &never };
         let mut stage = file.open(&wanted)?;

@@ -1,8 +1,7 @@
 //! Files of volumes.
 
 use super::{Answer, PLAIN, Reader, Target};
-use freepath_estimators::medium::{Raw, RawType, VolumeRequest};
-use freepath_harness::source::read_volume;
+use freepath_formats::{NumberType, RawLayout, VolumeRequest, read_volume};
 use std::path::Path;
 
 /// NumPy's.
@@ -62,7 +61,7 @@ pub(super) const RAW: Target = Target {
         Box::new(move |input| {
             let (layout, values) = input.split_at_checked(LAYOUT).ok_or("no layout")?;
             std::fs::write(&file, values).map_err(|why| why.to_string())?;
-            both(&file, Some(&stated(layout)))
+            both(&file, Some(stated(layout)))
         })
     },
     ..PLAIN
@@ -74,7 +73,7 @@ pub(super) const VDB: Target = Target {
     name: "vdb",
     about: "a volume in a .vdb file of OpenVDB",
     seeds: || {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/harness/tests/vdb");
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/formats/tests/vdb");
         let mut files: Vec<_> = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).collect();
         files.sort_by_key(std::fs::DirEntry::path);
         let vdb = files
@@ -111,11 +110,11 @@ pub(super) fn header_length(input: &mut [u8], start: usize) {
 
 const LAYOUT: usize = 34;
 
-fn stated(layout: &[u8]) -> Raw {
+fn stated(layout: &[u8]) -> RawLayout {
     let word = |i: usize| u64::from_le_bytes(std::array::from_fn(|k| layout[8 * i + k]));
-    let types = [RawType::U8, RawType::U16, RawType::F32, RawType::F64];
+    let types = [NumberType::U8, NumberType::U16, NumberType::F32, NumberType::F64];
     let (values, big_endian) = (types[usize::from(layout[32]) % 4], layout[33] % 2 == 1);
-    Raw { shape: [word(0), word(1), word(2)], values, big_endian, channels: word(3) }
+    RawLayout { shape: [word(0), word(1), word(2)], values, big_endian, channels: word(3) }
 }
 
 fn from_file(folder: &Path, name: &str) -> Reader {
@@ -127,10 +126,10 @@ fn from_file(folder: &Path, name: &str) -> Reader {
 }
 
 /// The first two channels, of which the second is mostly not there.
-fn both(file: &Path, raw: Option<&Raw>) -> Answer {
+fn both(file: &Path, raw: Option<RawLayout>) -> Answer {
     let channel = |channel| {
         let volume =
-            read_volume(file, &VolumeRequest { channel, raw, voxels: Some(&VOXELS), ..VolumeRequest::of("") })
+            read_volume(file, &VolumeRequest { channel, raw, voxels: Some(VOXELS), ..VolumeRequest::default() })
                 .map_err(|why| why.to_string())?;
         assert_eq!(volume.values.len(), volume.shape.iter().product::<usize>(), "a value for each voxel");
         assert!(volume.values.iter().all(|value| value.is_finite()), "every value is finite");

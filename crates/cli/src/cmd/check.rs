@@ -7,7 +7,7 @@ use crate::trouble::Trouble;
 use freepath_draws::simd;
 use freepath_harness::case::{CaseError, CaseFile, Limits, Prepared, SampleArguments, SubjectSpec};
 use freepath_harness::run::quoted;
-use freepath_harness::source::samples::Escape;
+use freepath_harness::samples::Escape;
 use std::io::{IsTerminal, stderr};
 
 /// Nothing is judged before the file is known to be usable.

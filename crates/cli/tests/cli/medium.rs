@@ -6,7 +6,7 @@ use serde_json::Value;
 const RAMP: &str = r#"{ "title": "Ramp", "medium": { "formula": { "mu": "0.5*t", "length": 2.0, "majorant": 1.5 } },
     "subjects": [ { "free_path": { "exact": {} } } ] }"#;
 
-const FOG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../harness/tests/vdb/fog.json");
+const FOG: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../formats/tests/vdb/fog.json");
 
 #[test]
 fn the_table_tells_mu_its_majorant_tau_and_transmittance() {

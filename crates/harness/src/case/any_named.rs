@@ -9,7 +9,7 @@ use crate::agree::{Agreement, Variant};
 use crate::experiment::{Experiment, Owned, Placed, PlacedSource};
 use crate::fault::Target;
 use crate::kind::{Kind, Outline, Refusal};
-use crate::samples::SampleKind;
+use crate::samples::RowFormat;
 use crate::scene::Scene;
 use freepath_estimators::Capability;
 use std::sync::Arc;
@@ -28,8 +28,10 @@ pub(crate) trait AnyNamed {
     fn grows(&self) -> bool;
     /// The file that it is, if it is one.
     fn samples(&self) -> Option<&dyn AnySamples>;
-    /// The program that it is, if it is one, and the rows that it writes.
-    fn command(&self) -> Option<(SampleKind, &Command)>;
+    /// The program that it is, if it is one.
+    fn command(&self) -> Option<&Command>;
+    /// The rows that a program writes.
+    fn program_rows(&self, outline: &Outline) -> RowFormat;
     /// The subject in its scene.
     fn ready(&self, context: &Preparing) -> Result<Ready, CaseError>;
 }
@@ -77,11 +79,14 @@ impl<K: Kind> AnyNamed for Named<K> {
             Self::Control(_) | Self::Command(_) | Self::Listed(_) | Self::External(_) => None,
         }
     }
-    fn command(&self) -> Option<(SampleKind, &Command)> {
+    fn command(&self) -> Option<&Command> {
         match self {
-            Self::Command(command) => Some((K::PROGRAM, command)),
+            Self::Command(command) => Some(command),
             Self::Control(_) | Self::Samples(_) | Self::Listed(_) | Self::External(_) => None,
         }
+    }
+    fn program_rows(&self, outline: &Outline) -> RowFormat {
+        K::program_rows(outline)
     }
     fn ready(&self, context: &Preparing) -> Result<Ready, CaseError> {
         let majorant = context.spec.majorant.as_ref();
@@ -209,11 +214,12 @@ impl Preparing<'_> {
 
     /// The file or the program that it is, if it is one.
     fn source(&self, named: &dyn AnyNamed, outline: &Outline) -> Result<Option<Origin>, CaseError> {
-        if let Some((rows, command)) = named.command() {
+        if let Some(command) = named.command() {
+            let rows = named.program_rows(outline);
             return self.program(named, rows, command, outline).map(|program| Some(Origin::Program(program)));
         }
         let Some(samples) = named.samples() else { return Ok(None) };
         let file = self.sample_file(named, samples, outline)?;
-        Ok(Some(Origin::File(samples.kind(), file)))
+        Ok(Some(Origin::File(file)))
     }
 }

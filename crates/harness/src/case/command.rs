@@ -4,7 +4,7 @@ use super::any_named::{AnyNamed, Preparing};
 use super::{CaseError, SubjectSpec};
 use crate::kind::Outline;
 use crate::program::{IDLE, IDLE_RANGE, Program, Setting};
-use crate::samples::SampleKind;
+use crate::samples::RowFormat;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ impl Preparing<'_> {
     pub(super) fn program(
         &self,
         named: &dyn AnyNamed,
-        kind: SampleKind,
+        rows: RowFormat,
         command: &Command,
         outline: &Outline,
     ) -> Result<Program, CaseError> {
@@ -62,11 +62,11 @@ impl Preparing<'_> {
         let idle = self.allowed(&at, self.spec, command, place.commands)?;
         let folder = std::fs::canonicalize(place.here()).unwrap_or_else(|_| place.here().to_path_buf());
         let setting = Setting {
-            kind,
+            kind: named.kind(),
+            rows,
             medium: serde_json::to_value(&case.medium).unwrap_or_default(),
             truth: outline.medium,
             length: outline.length,
-            channels: outline.weights,
             tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
             case_file: self.file.path.file_name().map(|name| folder.join(name)).unwrap_or_default(),
         };

@@ -1,13 +1,12 @@
 //! Subjects whose draws are made elsewhere.
 
 use crate::program::Program;
-use crate::samples::{SampleKind, SampleSource};
-use crate::source::samples::SampleFile;
+use crate::samples::{SampleFile, SampleSource};
 
 /// Where the draws of a subject come from, if it does not make them here.
 pub enum Origin {
     /// An open file of samples, and what it says.
-    File(SampleKind, SampleFile),
+    File(SampleFile),
     /// A program.
     Program(Program),
 }
@@ -17,7 +16,7 @@ impl Origin {
     #[must_use]
     pub fn file(&self) -> Option<&SampleFile> {
         match self {
-            Self::File(_, file) => Some(file),
+            Self::File(file) => Some(file),
             Self::Program(_) => None,
         }
     }
@@ -26,7 +25,7 @@ impl Origin {
     #[must_use]
     pub fn log(&self) -> String {
         match self {
-            Self::File(..) => String::new(),
+            Self::File(_) => String::new(),
             Self::Program(program) => program.log(),
         }
     }
@@ -43,20 +42,11 @@ impl Origin {
         self.file().map_or(0.0, SampleFile::tolerance)
     }
 
-    /// The rows that it holds.
-    #[must_use]
-    pub fn kind(&self) -> SampleKind {
-        match self {
-            Self::File(kind, _) => *kind,
-            Self::Program(program) => program.kind(),
-        }
-    }
-
     /// What is read.
     #[must_use]
     pub fn source(&self) -> &dyn SampleSource {
         match self {
-            Self::File(_, file) => file,
+            Self::File(file) => file,
             Self::Program(program) => program,
         }
     }

@@ -3,8 +3,8 @@
 use super::any_named::{AnyNamed, Preparing};
 use super::{CaseError, CaseFile, SubjectSpec};
 use crate::kind::{Body, Outline};
-use crate::samples::SampleKind;
-use crate::source::samples::{Escape, Format, Request, SampleFile};
+use crate::samples::{Escape, EscapeRule, Place, Request, RowFormat, SampleFile};
+use freepath_formats::Format;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -106,11 +106,11 @@ pub trait SamplesSpec: Body {
     /// Its name.
     fn file(&self) -> &str;
 
-    /// The rows that it holds.
-    fn kind(&self) -> SampleKind;
+    /// What a row says in this scene.
+    fn rows(&self, outline: &Outline) -> RowFormat;
 
-    /// What is asked of it, where rows have no length yet.
-    fn request(&self) -> Request<'_>;
+    /// How it is written.
+    fn format(&self) -> Option<Format>;
 
     /// As a command line has it.
     ///
@@ -122,27 +122,20 @@ pub trait SamplesSpec: Body {
 /// A [`SamplesSpec`] without its type.
 pub(crate) trait AnySamples {
     fn file(&self) -> &str;
-    fn kind(&self) -> SampleKind;
-    fn request(&self) -> Request<'_>;
+    fn rows(&self, outline: &Outline) -> RowFormat;
+    fn format(&self) -> Option<Format>;
 }
 
 impl<S: SamplesSpec> AnySamples for S {
     fn file(&self) -> &str {
         self.file()
     }
-    fn kind(&self) -> SampleKind {
-        self.kind()
+    fn rows(&self, outline: &Outline) -> RowFormat {
+        self.rows(outline)
     }
-    fn request(&self) -> Request<'_> {
-        self.request()
+    fn format(&self) -> Option<Format> {
+        self.format()
     }
-}
-
-/// What a request says that a kind does not.
-fn request(kind: SampleKind) -> Request<'static> {
-    let (column, weight, escape, format) = (None, None, Escape::default(), None);
-    let (channels, length, draws, tolerance) = (0, f64::NAN, None, None);
-    Request { kind, format, column, weight, escape, channels, length, draws, tolerance }
 }
 
 /// Why weights and escapes are refused.
@@ -158,12 +151,16 @@ impl SamplesSpec for FreePathSamples {
     fn file(&self) -> &str {
         &self.file
     }
-    fn kind(&self) -> SampleKind {
-        if self.weight.is_some() { SampleKind::WeightedFreePath } else { SampleKind::FreePath }
+    fn rows(&self, outline: &Outline) -> RowFormat {
+        let rule = EscapeRule { length: outline.length, escapes: self.escape.into() };
+        let column = Place::stated(self.column.as_deref());
+        match &self.weight {
+            None => RowFormat::free_path(column, rule),
+            Some(weight) => RowFormat::weighted_free_path(column, Place::Stated(weight.clone()), rule),
+        }
     }
-    fn request(&self) -> Request<'_> {
-        let (column, weight) = (self.column.as_deref(), self.weight.as_deref());
-        Request { column, weight, escape: self.escape, format: self.format, ..request(SamplesSpec::kind(self)) }
+    fn format(&self) -> Option<Format> {
+        self.format
     }
     fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
         let SampleArguments { file, column, weight, escape, format } = arguments;
@@ -175,11 +172,11 @@ impl SamplesSpec for TransmittanceSamples {
     fn file(&self) -> &str {
         &self.file
     }
-    fn kind(&self) -> SampleKind {
-        SampleKind::Transmittance
+    fn rows(&self, _: &Outline) -> RowFormat {
+        RowFormat::estimate(Place::stated(self.column.as_deref()))
     }
-    fn request(&self) -> Request<'_> {
-        Request { column: self.column.as_deref(), format: self.format, ..request(SamplesSpec::kind(self)) }
+    fn format(&self) -> Option<Format> {
+        self.format
     }
     fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
         if arguments.is_weighted() {
@@ -194,11 +191,11 @@ impl SamplesSpec for ChromaticSamples {
     fn file(&self) -> &str {
         &self.file
     }
-    fn kind(&self) -> SampleKind {
-        SampleKind::Chromatic
+    fn rows(&self, outline: &Outline) -> RowFormat {
+        RowFormat::chromatic(outline.length, outline.weights)
     }
-    fn request(&self) -> Request<'_> {
-        Request { format: self.format, ..request(SamplesSpec::kind(self)) }
+    fn format(&self) -> Option<Format> {
+        self.format
     }
     fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
         if arguments.is_weighted() {
@@ -254,13 +251,8 @@ impl Preparing<'_> {
         };
         let path = self.place_of(samples.file()).map_err(|why| refuse(&why))?;
         let tolerance = spec.tolerance.or(case.tolerance);
-        let request = Request {
-            draws: spec.draws,
-            tolerance,
-            length: outline.length,
-            channels: outline.weights,
-            ..samples.request()
-        };
+        let (rows, format) = (samples.rows(outline), samples.format());
+        let request = Request { rows, format, draws: spec.draws, tolerance };
         SampleFile::open(&path, &request).map_err(|why| refuse(&why))
     }
 

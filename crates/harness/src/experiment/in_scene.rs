@@ -1,7 +1,7 @@
 use super::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::ChannelMixture;
 use crate::kind::Kind;
-use crate::samples::{SampleKind, SampleSource};
+use crate::samples::SampleSource;
 use crate::subject::Route;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
@@ -13,7 +13,7 @@ pub enum Source<'a, K: Kind> {
     /// A sampler.
     Sampler(&'a K::Sampler<'a>),
     /// A file, or a program.
-    External(SampleKind, &'a dyn SampleSource),
+    External(&'a dyn SampleSource),
 }
 
 impl<K: Kind> Clone for Source<'_, K> {
@@ -29,7 +29,7 @@ impl<'a, K: Kind> Source<'a, K> {
     pub fn sampler(&self) -> Option<&'a K::Sampler<'a>> {
         match self {
             Self::Sampler(sampler) => Some(sampler),
-            Self::Control | Self::External(..) => None,
+            Self::Control | Self::External(_) => None,
         }
     }
 
@@ -37,7 +37,7 @@ impl<'a, K: Kind> Source<'a, K> {
     #[must_use]
     pub fn is_external(&self) -> bool {
         match self {
-            Self::External(..) => true,
+            Self::External(_) => true,
             Self::Control | Self::Sampler(_) => false,
         }
     }
@@ -73,7 +73,10 @@ impl<K: Kind> Experiment for InScene<'_, K> {
         if self.source.is_external() { "the samples are wrong" } else { K::WRONG }
     }
     fn row(&self) -> Row {
-        K::row(self.scene, &self.source)
+        match self.source {
+            Source::External(source) => source.row(),
+            Source::Control | Source::Sampler(_) => K::row(self.scene, self.source.sampler()),
+        }
     }
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked {
         match self.source {
@@ -82,7 +85,7 @@ impl<K: Kind> Experiment for InScene<'_, K> {
                 K::control(self.scene, context.streams, out);
                 Looked::default()
             }
-            Source::External(..) => Looked::default(), // not drawn here: unwritten rows are NaN
+            Source::External(_) => Looked::default(), // not drawn here: unwritten rows are NaN
         }
     }
     fn plan(&self, terms: &Terms) -> Plan<'_> {
@@ -91,12 +94,12 @@ impl<K: Kind> Experiment for InScene<'_, K> {
     fn routes(&self) -> &'static [Route] {
         match self.source {
             Source::Sampler(_) => &[Route::Block, Route::Scalar],
-            Source::Control | Source::External(..) => &[Route::Scalar],
+            Source::Control | Source::External(_) => &[Route::Scalar],
         }
     }
     fn external(&self) -> Option<&dyn SampleSource> {
         match self.source {
-            Source::External(_, source) => Some(source),
+            Source::External(source) => Some(source),
             Source::Control | Source::Sampler(_) => None,
         }
     }
@@ -119,7 +122,7 @@ impl<K: Kind> Experiment for InScene<'_, K> {
     }
     fn functional(&self, terms: &Terms) -> Result<Functional, String> {
         match self.source {
-            Source::External(..) => {
+            Source::External(_) => {
                 let why =
                     "samples are made elsewhere: the microscope looks at what takes its random numbers from us";
                 Err(why.into())

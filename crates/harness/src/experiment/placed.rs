@@ -35,7 +35,7 @@ impl<K: Kind> Placed<K> {
         let source = match &self.source {
             PlacedSource::Control => Source::Control,
             PlacedSource::Sampler(sampler) => Source::Sampler(K::borrowed(sampler)),
-            PlacedSource::External(origin) => Source::External(origin.kind(), origin.source()),
+            PlacedSource::External(origin) => Source::External(origin.source()),
         };
         InScene { source, scene: K::scene(&self.scene) }
     }

@@ -4,7 +4,7 @@ use crate::case::ChromaticSamples;
 use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
 use crate::fault::ChannelMixture;
 use crate::identities;
-use crate::samples::SampleKind;
+use crate::samples::RowFormat;
 use crate::scene::{ChannelScene, Scene};
 use crate::subject::Route;
 use freepath_draws::{ChannelColumns, Draws, Row, Streams, column};
@@ -32,7 +32,6 @@ impl Kind for Chromatic {
     const EXPECTED: &'static str = "a chromatic sampler, such as {\"balance\": {}}";
     const WRONG: &'static str = "the weights of the chromatic sampler are wrong";
     const CONTROL: Option<&'static str> = None;
-    const PROGRAM: SampleKind = SampleKind::Chromatic;
     const ESTIMATES: bool = false;
     const GROWS: bool = false;
 
@@ -68,8 +67,12 @@ impl Kind for Chromatic {
         placed
     }
 
-    fn row(medium: &ChromaticMedium, _: &Source<Self>) -> Row {
+    fn row(medium: &ChromaticMedium, _: Option<&Self::Sampler<'_>>) -> Row {
         Row::new().with_f64(column::T).with_channels(medium.media().len())
+    }
+
+    fn program_rows(outline: &Outline) -> RowFormat {
+        RowFormat::chromatic(outline.length, outline.weights)
     }
 
     fn draw(

@@ -5,7 +5,7 @@ use crate::case::FreePathSamples;
 use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
 use crate::fault::Fault;
 use crate::identities;
-use crate::samples::SampleKind;
+use crate::samples::{EscapeRule, Escapes, Place, RowFormat};
 use crate::scene::Scene;
 use freepath_draws::random::exponential;
 use freepath_draws::{Draws, PathColumns, Row, Streams, column};
@@ -33,7 +33,6 @@ impl Kind for FreePathKind {
     const EXPECTED: &'static str = "a free-path sampler, such as {\"delta_tracking\": {}}";
     const WRONG: &'static str = "the sampler does not follow the free-path law";
     const CONTROL: Option<&'static str> = Some("exact");
-    const PROGRAM: SampleKind = SampleKind::FreePath;
     const ESTIMATES: bool = false;
     const GROWS: bool = true;
 
@@ -78,15 +77,15 @@ impl Kind for FreePathKind {
         placed.ray()
     }
 
-    fn row(_: Ray, source: &Source<Self>) -> Row {
-        let row = Row::new().with_f64(column::T);
-        let walk = |row: Row| row.with_f64(column::WEIGHT).with_u32(column::COLLISIONS);
-        match source {
-            Source::Sampler(sampler) if sampler.marked() => walk(row).with_f64(column::AUXILIARY),
-            Source::Control | Source::Sampler(_) => walk(row),
-            Source::External(rows, _) if rows.is_weighted() => row.with_channels(1),
-            Source::External(..) => row,
-        }
+    fn row(_: Ray, sampler: Option<&Self::Sampler<'_>>) -> Row {
+        let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT).with_u32(column::COLLISIONS);
+        if sampler.is_some_and(FreePathSampler::marked) { row.with_f64(column::AUXILIARY) } else { row }
+    }
+
+    /// A free path that is the length within the tolerance is an escape.
+    fn program_rows(outline: &Outline) -> RowFormat {
+        let rule = EscapeRule { length: outline.length, escapes: Escapes::AtLength };
+        RowFormat::free_path(Place::Only, rule)
     }
 
     fn draw(sampler: &Self::Sampler<'_>, ray: Ray, context: &DrawContext, out: &mut Draws) -> Looked {
@@ -102,8 +101,8 @@ impl Kind for FreePathKind {
 
     fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a> {
         match source {
-            Source::External(rows, _) if rows.is_weighted() => weighted::plan(ray, terms),
-            Source::Control | Source::Sampler(_) | Source::External(..) => plan::plan(ray, source, terms),
+            Source::External(rows) if rows.row().has(&column::channel(0)) => weighted::plan(ray, terms),
+            Source::Control | Source::Sampler(_) | Source::External(_) => plan::plan(ray, source, terms),
         }
     }
 

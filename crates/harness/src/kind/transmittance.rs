@@ -5,7 +5,7 @@ use crate::case::TransmittanceSamples;
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Source, Terms};
 use crate::fault::Fault;
 use crate::identities;
-use crate::samples::SampleKind;
+use crate::samples::{Place, RowFormat};
 use crate::scene::Scene;
 use freepath_draws::{Draws, PathColumns, Row, Streams, column};
 use freepath_estimators::transmittance::AnyTransmittance;
@@ -29,7 +29,6 @@ impl Kind for Transmittance {
     const EXPECTED: &'static str = "a transmittance estimator, such as {\"ratio_tracking\": {}}";
     const WRONG: &'static str = "the mean of the estimator is not the transmittance";
     const CONTROL: Option<&'static str> = Some("closed_form");
-    const PROGRAM: SampleKind = SampleKind::Transmittance;
     const ESTIMATES: bool = true;
     const GROWS: bool = true;
 
@@ -74,9 +73,12 @@ impl Kind for Transmittance {
         placed.ray()
     }
 
-    fn row(_: Ray, source: &Source<Self>) -> Row {
-        let row = Row::new().with_f64(column::WEIGHT);
-        if source.is_external() { row } else { row.with_u32(column::COLLISIONS) }
+    fn row(_: Ray, _: Option<&Self::Sampler<'_>>) -> Row {
+        Row::new().with_f64(column::WEIGHT).with_u32(column::COLLISIONS)
+    }
+
+    fn program_rows(_: &Outline) -> RowFormat {
+        RowFormat::estimate(Place::Only)
     }
 
     fn draw(estimator: &Self::Sampler<'_>, ray: Ray, context: &DrawContext, out: &mut Draws) -> Looked {

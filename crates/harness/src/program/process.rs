@@ -2,7 +2,7 @@
 
 use super::TOTAL_PER_IDLE;
 use super::log::{Log, last_line};
-use crate::source::Refusal;
+use freepath_formats::Refusal;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 use std::io::{ErrorKind, Read, Write};

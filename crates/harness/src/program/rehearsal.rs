@@ -4,7 +4,7 @@ use super::{Program, request};
 use crate::blocks::REHEARSAL;
 use crate::identities::reproducible::{CHANCE, CHECK, STREAMS, chance};
 use crate::samples::Wanted;
-use crate::source::Refusal;
+use freepath_formats::Refusal;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 
@@ -29,7 +29,7 @@ impl Program {
     /// What one short start writes.
     fn short(&self, seed: u64, wanted: &Wanted) -> Result<Vec<u8>, Refusal> {
         let mut process = self.start(ROWS as u64, seed, 1, wanted)?;
-        let mut bytes = vec![0; ROWS * self.across * 8];
+        let mut bytes = vec![0; ROWS * self.across() * 8];
         process.fill(&mut bytes)?;
         process.finish()?;
         Ok(bytes)
@@ -38,6 +38,6 @@ impl Program {
     fn rows(&self, bytes: &[u8]) -> Vec<Vec<u64>> {
         let (cells, _) = bytes.as_chunks::<8>();
         let bits: Vec<u64> = cells.iter().map(|cell| u64::from_le_bytes(*cell)).collect();
-        bits.chunks(self.across).map(<[u64]>::to_vec).collect()
+        bits.chunks(self.across()).map(<[u64]>::to_vec).collect()
     }
 }

@@ -2,8 +2,7 @@
 
 use super::log::Log;
 use super::{Program, nodes};
-use crate::samples::{SampleKind, Wanted};
-use crate::source::samples::meaning::Meaning;
+use crate::samples::{RowFormat, Wanted};
 use freepath_estimators::Medium;
 use serde_json::{Map, Value, json};
 use std::io;
@@ -15,27 +14,20 @@ const PROTOCOL: u32 = 1;
 
 /// Where a program draws.
 pub(crate) struct Setting<'a> {
-    pub(crate) kind: SampleKind,
+    /// The name of the kind.
+    pub(crate) kind: &'static str,
+    /// What a row says: all of its columns come in their order.
+    pub(crate) rows: RowFormat,
     /// As in the case.
     pub(crate) medium: Value,
     /// Under the majorants of the subject; none for channels.
     pub(crate) truth: Option<&'a dyn Medium>,
     pub(crate) length: f64,
-    /// Channels of a chromatic draw.
-    pub(crate) channels: usize,
     pub(crate) tolerance: f64,
     pub(crate) case_file: PathBuf,
 }
 
 impl Setting<'_> {
-    fn kind(&self) -> &'static str {
-        match self.kind {
-            SampleKind::FreePath | SampleKind::WeightedFreePath => "free_path",
-            SampleKind::Transmittance => "transmittance",
-            SampleKind::Chromatic => "chromatic",
-        }
-    }
-
     fn majorants(&self) -> Vec<Value> {
         let Some(medium) = self.truth else { return Vec::new() };
         let bounds = medium.majorants();
@@ -50,10 +42,10 @@ impl Program {
     /// # Errors
     /// If the table of the medium cannot be written.
     pub(crate) fn new(argv: &[String], folder: PathBuf, idle: Duration, setting: &Setting) -> io::Result<Self> {
-        let Setting { kind, length, channels, tolerance, .. } = *setting;
+        let Setting { length, tolerance, .. } = *setting;
         let table = setting.truth.map(nodes::write).transpose()?.flatten();
         let mut request = json!({
-            "protocol": PROTOCOL, "kind": setting.kind(), "medium": setting.medium, "majorants": setting.majorants(),
+            "protocol": PROTOCOL, "kind": setting.kind, "medium": setting.medium, "majorants": setting.majorants(),
             "length": length, "draws": 0, "seed": 0, "stage": 0, "case_file": setting.case_file,
         });
         let mut table_file = None;
@@ -63,10 +55,8 @@ impl Program {
             table_file = Some(file);
         }
         let Value::Object(request) = request else { return Err(io::Error::other("no request")) };
-        let across = if kind == SampleKind::Chromatic { 2 + channels } else { 1 };
-        let meaning = Meaning::of_program(kind, length, tolerance);
-        let (argv, log) = (argv.to_vec(), Log::default());
-        Ok(Self { argv, folder, idle, kind, across, meaning, request, log, _table: table_file })
+        let (argv, format, log) = (argv.to_vec(), setting.rows.clone(), Log::default());
+        Ok(Self { argv, folder, idle, format, tolerance, request, log, _table: table_file })
     }
 }
 

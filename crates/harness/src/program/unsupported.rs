@@ -1,7 +1,7 @@
 //! Where there are no process groups, programs are refused.
 
 use super::log::Log;
-use crate::source::Refusal;
+use freepath_formats::Refusal;
 use std::marker::PhantomData;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;

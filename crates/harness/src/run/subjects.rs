@@ -4,7 +4,7 @@ use super::efficiency::efficiency;
 use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected};
 use crate::case::Origin;
-use crate::source::samples::SampleFile;
+use crate::samples::SampleFile;
 use freepath_results::{FactResult, Grown, OrderResult, Real, SubjectResult, TestResult, Verdict};
 use freepath_statistics::claim::{StepOrder, Summary, worst};
 use freepath_statistics::decide::{Decision, Stage, rejects};

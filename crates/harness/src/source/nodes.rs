@@ -1,96 +1,48 @@
 //! Rows of t and mu: where a medium is given by a table.
 
-use super::npy::{Header, TYPES};
-use super::samples::Format;
-use super::samples::inspect::{column, unique};
-use super::samples::table::Table;
-use super::samples::text::Text;
-use super::stored::Stored;
-use super::{Refusal, open_regular};
 use freepath_estimators::medium::{Nodes, NodesRequest};
-use std::fs::File;
-use std::io::{Seek, SeekFrom};
+use freepath_formats::{Head, ReadError, Refusal, read_rows};
 use std::path::Path;
 
-/// The nodes in `path`.
-pub(super) fn read(path: &Path, wanted: &NodesRequest) -> Result<Nodes, Refusal> {
-    let (file, size) = open_regular(path)?;
-    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-    match ending.to_str() {
-        Some("csv") => text(file, Format::Csv, wanted),
-        Some("txt") => text(file, Format::Txt, wanted),
-        Some("npy") => npy(file, size, wanted),
-        _ => Err(Refusal::new("its name does not tell its format", ".csv, .txt or .npy")),
-    }
-}
-
-fn text(file: File, format: Format, wanted: &NodesRequest) -> Result<Nodes, Refusal> {
-    let choose = |names: &[String], across| Ok((columns(names, across, wanted)?.into(), None));
-    let mut text = Text::new(Box::new(file), format, choose)?;
-    let (mut nodes, mut t, mut mu) = (Nodes::default(), [0.0], [0.0]);
-    while text.read(1, &mut [&mut t, &mut mu])? == 1 {
-        push(&mut nodes, (t[0], mu[0]), wanted.jumps, &|| format!("line {}", text.line()))?;
-    }
-    if nodes.t.is_empty() {
-        return Err(Refusal::new("it has names but no row of numbers", "at least 1 row"));
-    }
-    Ok(nodes)
-}
-
-fn npy(mut file: File, size: u64, wanted: &NodesRequest) -> Result<Nodes, Refusal> {
-    let Header { number, width, big_endian, fortran, shape, start } = Header::read(&mut file, TYPES)?;
-    let [rows, across] = shape[..] else {
-        let cause = format!("its array has {} dimensions", shape.len());
-        return Err(Refusal::new(cause, "a table has 2, [row][column]"));
-    };
-    if rows == 0 {
-        return Err(Refusal::new("it has no row", "at least 1 row"));
-    }
-    if rows > Nodes::MOST as u64 {
-        return Err(too_many());
-    }
-    let chosen = columns(&[], usize::try_from(across).unwrap_or(usize::MAX), wanted)?;
-    let stored = Stored { number, width, big_endian, fortran, shape: [rows, 1, 1], channels: across, start };
-    let shape = stored.checked(size)?;
-    let mut read = |column| {
-        file.seek(SeekFrom::Start(start))?;
-        stored.values(&mut file, shape, column)
-    };
-    let (t, mu) = (read(chosen[0])?, read(chosen[1])?);
+/// The table of t and mu that `wanted` asks for, in the file `path`: `.csv` or `.txt` with or without names in the first line,
+/// or `.npy` (u8, u16, f32 or f64, little or big endian, C or Fortran order), of two columns or more.
+///
+/// # Errors
+/// If the file is not regular, not such a table, cut short, empty, above [`Nodes::MOST`] rows, or has no such column; if t does
+/// not increase from 0 (pairs are allowed if jumps are wanted), or mu is negative, NaN or infinite. Nothing is allocated for
+/// rows that the file does not hold.
+pub fn read_nodes(path: &Path, wanted: &NodesRequest) -> Result<Nodes, ReadError> {
     let mut nodes = Nodes::default();
-    for (i, row) in t.into_iter().zip(mu).enumerate() {
-        push(&mut nodes, row, wanted.jumps, &|| format!("row {}", i + 1))?;
-    }
+    let select = |head: &Head| columns(head, wanted);
+    read_rows(path, Nodes::MOST, &select, &mut |[t, mu]| push(&mut nodes, t, mu, wanted.jumps))?;
     Ok(nodes)
 }
 
-/// The columns of t and mu, of so many, which may have names.
-fn columns(names: &[String], across: usize, wanted: &NodesRequest) -> Result<[usize; 2], Refusal> {
+/// The columns of t and mu.
+fn columns(head: &Head, wanted: &NodesRequest) -> Result<[usize; 2], Refusal> {
+    let (names, across) = (head.names(), head.across());
     let by_name = |name: &'static str, place: Option<usize>| {
         let missing = || match names.len() {
             0 => Refusal::new(format!("it has {across} columns"), "two, t and mu, or a stated `mu`"),
             _ => Refusal::new(format!("it has no column {name:?}"), format!("that name, or a stated `{name}`")),
         };
-        let place = if names.is_empty() { place } else { unique(names, name)? };
+        let place = if names.is_empty() { place } else { head.named(name)? };
         place.ok_or_else(missing)
     };
     let t = match wanted.t {
-        Some(name) => column(names, across, name)?,
+        Some(name) => head.column(name)?,
         None => by_name("t", (across > 0).then_some(0))?,
     };
     let mu = match wanted.mu {
-        Some(name) => column(names, across, name)?,
+        Some(name) => head.column(name)?,
         None => by_name("mu", (across == 2).then_some(1))?,
     };
     Ok([t, mu])
 }
 
-/// One more row, which stands at `place`.
-fn push(nodes: &mut Nodes, (t, mu): (f64, f64), jumps: bool, place: &dyn Fn() -> String) -> Result<(), Refusal> {
-    let refuse = |cause: &str, allowed: &str| Err(Refusal::new(format!("{cause} in {}", place()), allowed));
-    if nodes.t.len() == Nodes::MOST {
-        return Err(too_many());
-    }
+/// One more row.
+fn push(nodes: &mut Nodes, t: f64, mu: f64, jumps: bool) -> Result<(), Refusal> {
+    let refuse = |cause: &str, allowed: &str| Err(Refusal::new(cause, allowed));
     if !(mu >= 0.0 && mu < f64::INFINITY) {
         return refuse(&format!("mu is {}", fault(mu)), "finite and not negative");
     }
@@ -127,10 +79,6 @@ fn fault(x: f64) -> &'static str {
         _ if x.is_infinite() => "infinite",
         _ => "negative",
     }
-}
-
-fn too_many() -> Refusal {
-    Refusal::new("it has too many rows", format!("at most {}", Nodes::MOST))
 }
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ fn said<'a>(ray: Ray<'a>, source: &Source<'a, FreePathKind>) -> FreePathClaims<'
     match source {
         Source::Sampler(sampler) => sampler.claims(ray.truth),
         Source::Control => FreePathClaims { bounded: false, lookups: Some(0.0), ..FreePathClaims::default() },
-        Source::External(..) => FreePathClaims { bounded: false, ..FreePathClaims::default() },
+        Source::External(_) => FreePathClaims { bounded: false, ..FreePathClaims::default() },
     }
 }
 

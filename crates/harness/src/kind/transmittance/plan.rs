@@ -16,7 +16,7 @@ pub(super) fn said(ray: Ray, source: &Source<Transmittance>) -> TransmittanceCla
     match source {
         Source::Sampler(estimator) => estimator.claims(ray.truth),
         Source::Control => closed_form(ray),
-        Source::External(..) => TransmittanceClaims { bounded: false, ..TransmittanceClaims::default() },
+        Source::External(_) => TransmittanceClaims { bounded: false, ..TransmittanceClaims::default() },
     }
 }
 

@@ -1,7 +1,4 @@
 use super::*;
-use crate::source::tests::Temporary;
-use crate::source::{SourceError, read_nodes};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 mod air;
 mod errors;
@@ -25,11 +22,11 @@ fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|x| x.to_le_bytes()).collect()
 }
 
-fn read(name: &str, bytes: &[u8], wanted: &NodesRequest) -> Result<Nodes, SourceError> {
-    static NUMBER: AtomicUsize = AtomicUsize::new(0);
-    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-    let file = Temporary::holding(&format!("nodes-{number}-{name}"), bytes);
-    read_nodes(&file.0, wanted)
+fn read(name: &str, bytes: &[u8], wanted: &NodesRequest) -> Result<Nodes, ReadError> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join(name);
+    std::fs::write(&file, bytes).unwrap();
+    read_nodes(&file, wanted)
 }
 
 #[test]
