@@ -4,13 +4,13 @@
 //!
 //! ```text
 //! {"protocol":1,"kind":"free_path","medium":{..},"majorants":[{"end":..,"mu_bar":..}],"length":..,"draws":N,"seed":S,
-//!  "stage":1,"case_file":"..","table":"..","rows_per_cell":2}
+//!  "stage":1,"case_file":"..","table":"..","rows_per_cell":2,"table_error":0.0}
 //! ```
 //!
 //! and writes exactly N rows of doubles, little endian: a free path is t, infinity for an escape (t that is the length within
 //! the tolerance counts as one); a transmittance is an estimate; a chromatic row is t, event (0 scatters, 1 is the surface) and
-//! a weight per channel. S is below 2^53, and another for each stage. `table` and `rows_per_cell` stand there only for a medium
-//! whose mu is a polynomial between its breaks: see [`nodes`].
+//! a weight per channel. S is below 2^53, and another for each stage. The table is mu(t) under the majorants, as polynomials through
+//! the rows of each cell; in a chromatic medium `sigma_t` and `sigma_s` of each channel stand in its place.
 //!
 //! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
 //! give different ones (else `dependent`).
@@ -23,13 +23,13 @@ use crate::subject::BLOCK;
 use freepath_draws::Draws;
 use freepath_statistics::Fact;
 use log::Log;
+use nodes::NodeTable;
 use process::Process;
 use std::path::PathBuf;
 use std::time::Duration;
-use tempfile::NamedTempFile;
 
 mod log;
-pub mod nodes;
+mod nodes;
 #[cfg(unix)]
 mod process;
 #[cfg(not(unix))]
@@ -63,8 +63,8 @@ pub struct Program {
     meaning: Meaning,
     request: serde_json::Map<String, serde_json::Value>,
     log: Log,
-    /// The nodes of the medium; the file lives as long as the program.
-    _table: Option<NamedTempFile>,
+    /// The medium; the file lives as long as the program.
+    _table: Option<NodeTable>,
 }
 
 impl Program {
