@@ -28,6 +28,7 @@ use process::Process;
 use std::path::PathBuf;
 use std::time::Duration;
 
+mod limits;
 mod log;
 mod nodes;
 #[cfg(unix)]
@@ -38,17 +39,9 @@ mod process;
 mod rehearsal;
 mod request;
 
+pub use limits::{IDLE, IDLE_RANGE, TOTAL_PER_IDLE};
 pub use log::MOST_LOG;
 pub(crate) use request::Setting;
-
-/// Seconds of silence after which a program is killed, unless a case says otherwise.
-pub const IDLE: f64 = 60.0;
-
-/// A program may take so many times its idle limit in all.
-pub const TOTAL_PER_IDLE: u32 = 10;
-
-/// The least and the most seconds that the idle limit may be.
-pub const IDLE_RANGE: (f64, f64) = (0.01, 86_400.0);
 
 /// A program that is started for each stage.
 pub struct Program {
@@ -68,6 +61,24 @@ pub struct Program {
 }
 
 impl Program {
+    /// `argv`, to be run in `folder` and to be killed after the silence `idle`.
+    ///
+    /// # Errors
+    /// If there is no table of the medium.
+    pub(crate) fn new(
+        argv: &[String],
+        folder: PathBuf,
+        idle: Duration,
+        setting: &Setting,
+    ) -> Result<Self, Refusal> {
+        let table = setting.truth.map(NodeTable::write).transpose()?;
+        let request = setting.request(table.as_ref());
+        let across = if setting.kind == SampleKind::Chromatic { 2 + setting.weights } else { 1 };
+        let meaning = Meaning::of_program(setting.kind, setting.length, setting.tolerance);
+        let (argv, log) = (argv.to_vec(), Log::default());
+        Ok(Self { argv, folder, idle, kind: setting.kind, across, meaning, request, log, _table: table })
+    }
+
     /// What its rows say.
     #[must_use]
     pub fn kind(&self) -> SampleKind {

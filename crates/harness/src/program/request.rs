@@ -1,16 +1,11 @@
 //! The line that tells a program what to draw.
 
-use super::Program;
-use super::log::Log;
 use super::nodes::NodeTable;
 use crate::samples::{SampleKind, Wanted};
-use crate::source::Refusal;
-use crate::source::samples::meaning::Meaning;
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::{Extinction, Medium};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// The version of the protocol.
 const PROTOCOL: u32 = 1;
@@ -39,7 +34,8 @@ impl Setting<'_> {
         }
     }
 
-    fn request(&self, table: Option<&NodeTable>) -> Map<String, Value> {
+    /// What is said at every start; draws, seed and stage are stated later.
+    pub(super) fn request(&self, table: Option<&NodeTable>) -> Map<String, Value> {
         let mut request = Map::new();
         let mut state = |name: &str, value: Value| request.insert(name.into(), value);
         state("protocol", json!(PROTOCOL));
@@ -68,26 +64,6 @@ impl Setting<'_> {
         let bounds = medium.majorants();
         let of = |(end, mu_bar): (&f64, &f64)| json!({ "end": end, "mu_bar": mu_bar });
         bounds.ends().iter().zip(bounds.mu_bar()).map(of).collect()
-    }
-}
-
-impl Program {
-    /// `argv`, to be run in `folder` and to be killed after the silence `idle`.
-    ///
-    /// # Errors
-    /// If there is no table of the medium.
-    pub(crate) fn new(
-        argv: &[String],
-        folder: PathBuf,
-        idle: Duration,
-        setting: &Setting,
-    ) -> Result<Self, Refusal> {
-        let table = setting.truth.map(NodeTable::write).transpose()?;
-        let request = setting.request(table.as_ref());
-        let across = if setting.kind == SampleKind::Chromatic { 2 + setting.weights } else { 1 };
-        let meaning = Meaning::of_program(setting.kind, setting.length, setting.tolerance);
-        let (argv, log) = (argv.to_vec(), Log::default());
-        Ok(Self { argv, folder, idle, kind: setting.kind, across, meaning, request, log, _table: table })
     }
 }
 
