@@ -6,8 +6,6 @@
  *
  * `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from
  * standard output. So print to standard error, take every random number from `rng`, and nothing from the clock.
- *
- * freepath_mu knows every medium but `formula`; of that medium->request has the JSON.
  */
 #ifndef FREEPATH_ADAPTER_H
 #define FREEPATH_ADAPTER_H
@@ -41,56 +39,39 @@ typedef struct freepath_medium {
     /* In segment k, up to ends[k], mu is at most mu_bar[k]. */
     size_t segments;
     double *ends, *mu_bar;
-    /* The request as it came, for media and fields that this header does not know. */
+    /* The request as it came, with the medium as the case has it. */
     const char *request;
     /* Read through freepath_mu. */
-    int kind;
-    double base, peak, center, width, mu0, scale_height, mean, amplitude, per_length, phase;
-    /* Of a medium in media: mu(t) = by * mu_within(start + slope * t). */
-    double by, start, slope;
     size_t cells, rows_per_cell;
-    double *t, *mu;
+    double *t, *terms;
     /* Of a chromatic medium: extinction and scattering of each channel. */
     size_t channels;
     double *sigma_t, *sigma_s;
 } freepath_medium;
-
-enum { FREEPATH_TABLE = 1, FREEPATH_GAUSSIAN, FREEPATH_EXPONENTIAL, FREEPATH_SINUSOID };
 
 static inline void freepath_die(const char *what, const char *which) {
     fprintf(stderr, "freepath.h: %s %s\n", what, which);
     exit(2);
 }
 
-/* The extinction of a medium that is no table. */
-static inline double freepath_curve(const freepath_medium *medium, double t) {
-    double x = (t - medium->center) / medium->width;
-    switch (medium->kind) {
-        case FREEPATH_GAUSSIAN: return medium->base + medium->peak * exp(-0.5 * x * x);
-        case FREEPATH_EXPONENTIAL: return medium->mu0 * exp(-t / medium->scale_height);
-        case FREEPATH_SINUSOID: return medium->mean * (1.0 + medium->amplitude * sin(medium->per_length * t + medium->phase));
-    }
-    freepath_die("this header does not know mu(t) of the medium; write it yourself:", medium->request);
-    return 0.0;
-}
-
-/* Extinction at t, 1/length. */
+/* Extinction at t, 0 <= t <= length, in 1/length. A chromatic medium has that of its channels instead. */
 static inline double freepath_mu(const freepath_medium *medium, double t) {
-    if (medium->kind != FREEPATH_TABLE) return medium->by * freepath_curve(medium, medium->start + medium->slope * t);
+    if (medium->cells == 0) freepath_die("a medium of channels has sigma_t,", "not mu(t)");
     size_t n = medium->rows_per_cell, low = 0, high = medium->cells; /* t is in cell low, before cell high */
     while (high - low > 1) {
         size_t middle = low + (high - low) / 2;
         if (medium->t[middle * n] <= t) low = middle; else high = middle;
     }
-    const double *at = medium->t + low * n, *mu = medium->mu + low * n;
-    double u = (t - at[0]) / (at[n - 1] - at[0]) * (double)(n - 1), sum = 0.0;
-    for (size_t k = 0; k < n; k++) { /* Lagrange's polynomial through the nodes of the cell */
-        double weight = 1.0;
-        for (size_t j = 0; j < n; j++)
-            if (j != k) weight *= (u - (double)j) / ((double)k - (double)j);
-        sum += weight * mu[k];
-    }
-    return sum;
+    const double *at = medium->t + low * n, *terms = medium->terms + low * n;
+    double s = (t - at[0]) / (at[n - 1] - at[0]) * (double)(n - 1), sum = 0.0;
+    for (size_t k = n; k-- > 0;) sum = sum * (s - (double)k) + terms[k];
+    return sum < 0.0 ? 0.0 : sum; /* by rounding */
+}
+
+/* Of the polynomial through the n rows of a cell: Newton's forward differences over their factorials. */
+static inline void freepath_differences(double *mu, size_t n) {
+    for (size_t order = 1; order < n; order++)
+        for (size_t k = n - 1; k >= order; k--) mu[k] = (mu[k] - mu[k - 1]) / (double)order;
 }
 
 static inline void *freepath_room(size_t numbers) {
@@ -99,15 +80,17 @@ static inline void *freepath_room(size_t numbers) {
     return room;
 }
 
-/* What follows "key": in the JSON text `from`, or NULL. Keys inside strings are not looked for: the protocol has none. */
-static inline const char *freepath_find(const char *from, const char *key) {
+/* What follows "key": in the JSON object at `object`, not in objects within; or NULL. */
+static inline const char *freepath_find(const char *object, const char *key) {
     size_t n = strlen(key);
-    int inside = 0;
-    for (const char *p = from; *p; p++) {
+    int inside = 0, depth = 0;
+    for (const char *p = object; *p; p++) {
         if (inside && *p == '\\') { if (*++p) continue; else break; }
+        if (!inside && (*p == '{' || *p == '[')) depth++;
+        if (!inside && (*p == '}' || *p == ']') && --depth == 0) break;
         if (*p != '"') continue;
         inside = !inside;
-        if (inside && strncmp(p + 1, key, n) == 0 && p[n + 1] == '"') {
+        if (inside && depth == 1 && strncmp(p + 1, key, n) == 0 && p[n + 1] == '"') {
             const char *after = p + n + 2 + strspn(p + n + 2, " \t");
             if (*after == ':') return after + 1 + strspn(after + 1, " \t");
         }
@@ -115,10 +98,10 @@ static inline const char *freepath_find(const char *from, const char *key) {
     return NULL;
 }
 
-static inline double freepath_number(const char *from, const char *key, int needed, double otherwise) {
-    const char *at = from ? freepath_find(from, key) : NULL;
-    if (!at && needed) freepath_die("the request has no number", key);
-    return at ? strtod(at, NULL) : otherwise;
+static inline double freepath_number(const char *object, const char *key) {
+    const char *at = freepath_find(object, key);
+    if (!at) freepath_die("the request has no number", key);
+    return strtod(at, NULL);
 }
 
 /* The string after "key", in memory of its own; NULL if there is none. Escapes but \u, which ASCII names do not need. */
@@ -159,124 +142,59 @@ static inline void freepath_read_majorants(freepath_medium *medium) {
     medium->ends = (double *)freepath_room(n);
     medium->mu_bar = (double *)freepath_room(n);
     for (size_t k = 0; k < n; k++) {
-        at = strchr(at, '{') + 1;
-        medium->ends[k] = freepath_number(at, "end", 1, 0.0);
-        medium->mu_bar[k] = freepath_number(at, "mu_bar", 1, 0.0);
+        at = strchr(at + 1, '{');
+        medium->ends[k] = freepath_number(at, "end");
+        medium->mu_bar[k] = freepath_number(at, "mu_bar");
     }
 }
 
-static inline void freepath_read_table(freepath_medium *medium, const char *path) {
+static inline void freepath_read_table(freepath_medium *medium) {
+    char *path = freepath_string(medium->request, "table");
+    if (!path) freepath_die("the request has neither channels nor a", "table");
     FILE *file = fopen(path, "r");
     size_t room = 1024, used = 0;
     double t, mu;
     if (!file || fscanf(file, "t,mu ") != 0) freepath_die("cannot read", path);
     medium->t = (double *)freepath_room(room);
-    medium->mu = (double *)freepath_room(room);
+    medium->terms = (double *)freepath_room(room);
     while (fscanf(file, "%lf,%lf ", &t, &mu) == 2) {
         if (used == room) {
             room *= 2;
             medium->t = (double *)realloc(medium->t, room * sizeof(double));
-            medium->mu = (double *)realloc(medium->mu, room * sizeof(double));
-            if (!medium->t || !medium->mu) freepath_die("out of", "memory");
+            medium->terms = (double *)realloc(medium->terms, room * sizeof(double));
+            if (!medium->t || !medium->terms) freepath_die("out of", "memory");
         }
         medium->t[used] = t;
-        medium->mu[used++] = mu;
+        medium->terms[used++] = mu;
     }
     fclose(file);
-    medium->rows_per_cell = (size_t)freepath_number(medium->request, "rows_per_cell", 1, 0.0);
-    medium->cells = medium->rows_per_cell ? used / medium->rows_per_cell : 0;
-    medium->kind = FREEPATH_TABLE;
+    size_t n = medium->rows_per_cell = (size_t)freepath_number(medium->request, "rows_per_cell");
+    medium->cells = n < 2 ? 0 : used / n;
     if (medium->cells == 0) freepath_die("no rows in", path);
+    for (size_t cell = 0; cell < medium->cells; cell++) freepath_differences(medium->terms + cell * n, n);
+    free(path);
 }
 
-/* Whether the object at `at` has this as its first key: what kind of medium it is. */
-static inline int freepath_is(const char *at, const char *kind) {
-    size_t n = strlen(kind);
-    const char *key = *at == '{' ? at + 1 + strspn(at + 1, " \t") : "";
-    return *key == '"' && strncmp(key + 1, kind, n) == 0 && key[n + 1] == '"';
-}
-
-/* The length of the medium at `at`. Media state their numbers before the medium within. */
-static inline double freepath_length(const char *at) {
-    while (freepath_is(at, "scaled") || freepath_is(at, "reversed")) {
-        at = freepath_find(at, "medium");
-        if (!at) freepath_die("the request has no", "medium within a medium");
-    }
-    if (!freepath_is(at, "segment")) return freepath_number(at, "length", 1, 0.0);
-    return freepath_number(at, "to", 1, 0.0) - freepath_number(at, "from", 1, 0.0);
-}
-
-/* The innermost medium in the one at `at`; where it lies is kept. */
-static inline const char *freepath_within(freepath_medium *medium, const char *at) {
-    medium->by = medium->slope = 1.0;
-    for (;;) {
-        if (freepath_is(at, "scaled")) {
-            medium->by *= freepath_number(at, "by", 1, 0.0);
-        } else if (freepath_is(at, "segment")) {
-            medium->start += freepath_number(at, "from", 1, 0.0);
-        } else if (freepath_is(at, "reversed")) {
-            medium->start = freepath_length(at) - medium->start;
-            medium->slope = -medium->slope;
-        } else {
-            return at;
-        }
-        at = freepath_find(at, "medium");
-        if (!at) freepath_die("the request has no", "medium within a medium");
-    }
-}
-
-/* The numbers of the list after "key": in `from`, times `by`; how many there are. */
-static inline size_t freepath_list(const char *from, const char *key, double by, double **list) {
-    const char *at = freepath_find(from, key);
+/* The numbers of the list after "key"; how many there are, none without such a list. */
+static inline size_t freepath_list(const char *object, const char *key, double **list) {
+    const char *at = freepath_find(object, key);
     char *end;
     size_t n = 0;
-    if (!at || *at != '[') freepath_die("the request has no list", key);
+    if (!at) return 0;
     *list = (double *)freepath_room(strlen(at) / 2);
-    for (at++; *at != ']'; at = end + strspn(end, ", \t"), n++) {
-        (*list)[n] = by * strtod(at, &end);
+    for (at += strspn(at, "[ "); *at != ']'; at = end + strspn(end, ", \t"), n++) {
+        (*list)[n] = strtod(at, &end);
         if (end == at) freepath_die("the request has no list", key);
     }
     return n;
 }
 
-static inline void freepath_read_curve(freepath_medium *medium, const char *outer) {
-    const char *is = freepath_within(medium, outer);
-    if (freepath_is(is, "chromatic")) {
-        medium->channels = freepath_list(is, "sigma_t", medium->by, &medium->sigma_t);
-        freepath_list(is, "sigma_s", medium->by, &medium->sigma_s);
-    } else if (freepath_is(is, "gaussian")) {
-        const char *close = strchr(is, '}');
-        const char *base = freepath_find(is, "base");
-        medium->kind = FREEPATH_GAUSSIAN;
-        medium->base = base && base < close ? strtod(base, NULL) : 0.0;
-        medium->peak = freepath_number(is, "peak", 1, 0.0);
-        medium->center = freepath_number(is, "center", 1, 0.0);
-        medium->width = freepath_number(is, "width", 1, 0.0);
-    } else if (freepath_is(is, "exponential")) {
-        medium->kind = FREEPATH_EXPONENTIAL;
-        medium->mu0 = freepath_number(is, "mu0", 1, 0.0);
-        medium->scale_height = freepath_number(is, "scale_height", 1, 0.0);
-    } else if (freepath_is(is, "sinusoid")) {
-        medium->kind = FREEPATH_SINUSOID;
-        medium->mean = freepath_number(is, "mean", 1, 0.0);
-        medium->amplitude = freepath_number(is, "amplitude", 1, 0.0);
-        medium->per_length = 2.0 * acos(-1.0) * freepath_number(is, "frequency", 1, 0.0);
-        medium->phase = freepath_number(is, "phase", 0, 0.0);
-    }
-}
-
 static inline void freepath_read_medium(freepath_medium *medium) {
-    const char *outer = freepath_find(medium->request, "medium");
-    const char *after = strstr(medium->request, "\"majorants\"");
-    if (!outer || !after) freepath_die("the request has no", "medium");
-    char *table = freepath_string(after, "table"); /* a medium is called so, too */
-    medium->length = freepath_number(after, "length", 1, 0.0);
-    if (table) {
-        freepath_read_table(medium, table);
-        free(table);
-    } else {
-        freepath_read_curve(medium, outer);
-    }
+    medium->length = freepath_number(medium->request, "length");
+    medium->channels = freepath_list(medium->request, "sigma_t", &medium->sigma_t);
+    if (freepath_list(medium->request, "sigma_s", &medium->sigma_s) != medium->channels)
+        freepath_die("the request has not as many sigma_s as", "sigma_t");
+    if (medium->channels == 0) freepath_read_table(medium);
 }
 
 /* A free path (infinity for an escape), or an estimate of the transmittance. */
@@ -318,7 +236,7 @@ static inline int freepath_serve(freepath_sampler free_path, freepath_sampler tr
     char *line = freepath_line(), *kind;
     memset(&medium, 0, sizeof medium);
     medium.request = line;
-    if (freepath_number(line, "protocol", 1, 0.0) != 1.0) freepath_die("unknown", "protocol");
+    if (freepath_number(line, "protocol") != 1.0) freepath_die("unknown", "protocol");
     kind = freepath_string(line, "kind");
     int is_chromatic = kind && strcmp(kind, "chromatic") == 0;
     freepath_sampler sampler = NULL;
@@ -327,11 +245,11 @@ static inline int freepath_serve(freepath_sampler free_path, freepath_sampler tr
     if (is_chromatic ? !chromatic : !sampler) freepath_die("there is no sampler of the kind", kind ? kind : "?");
     freepath_read_majorants(&medium);
     freepath_read_medium(&medium);
-    uint64_t seed = (uint64_t)freepath_number(line, "seed", 1, 0.0), draws = (uint64_t)freepath_number(line, "draws", 1, 0.0);
+    uint64_t seed = (uint64_t)freepath_number(line, "seed"), draws = (uint64_t)freepath_number(line, "draws");
     if (is_chromatic) freepath_draw_chromatic(&medium, draws, seed, chromatic);
     else freepath_draw(&medium, draws, seed, sampler);
     if (fflush(stdout) != 0) freepath_die("cannot write", "the draws");
-    free(medium.ends), free(medium.mu_bar), free(medium.t), free(medium.mu), free(medium.sigma_t), free(medium.sigma_s);
+    free(medium.ends), free(medium.mu_bar), free(medium.t), free(medium.terms), free(medium.sigma_t), free(medium.sigma_s);
     free(kind), free(line);
     return 0;
 }

@@ -8,8 +8,6 @@
 //
 // `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from standard
 // output. So print to std::cerr, take every random number from `rng`, and nothing from the clock.
-//
-// Medium::mu knows every medium but `formula`; of that Medium::parameters has the JSON.
 #pragma once
 
 #include <algorithm>
@@ -129,7 +127,7 @@ struct Medium {
     // The medium as the case has it, and how it is called.
     std::string name;
     Json parameters;
-    // Extinction at a distance, 1/length.
+    // Extinction at t, 0 <= t <= length, in 1/length. A chromatic medium has that of its channels instead.
     std::function<double(double)> mu;
 
     explicit Medium(const Json &request) : length(request["length"].number) {
@@ -138,83 +136,44 @@ struct Medium {
             majorants.mu_bar.push_back(segment["mu_bar"].number);
         }
         std::tie(name, parameters) = *request["medium"].fields.begin();
-        channels(request["medium"], 1.0);
-        mu = request.has("table") ? table(request["table"].text, request["rows_per_cell"].number)
-                                  : closed_form(request["medium"]);
+        if (request.has("sigma_t")) {
+            for (const Json &sigma : request["sigma_t"].items) sigma_t.push_back(sigma.number);
+            for (const Json &sigma : request["sigma_s"].items) sigma_s.push_back(sigma.number);
+            mu = [](double) -> double { throw std::runtime_error("a medium of channels has sigma_t, not mu(t)"); };
+        } else {
+            mu = table(request["table"].text, request["rows_per_cell"].number);
+        }
     }
 
 private:
-    using Mu = std::function<double(double)>;
-
-    // Reads them, if the medium has channels.
-    void channels(const Json &medium, double by) {
-        const auto &[is, p] = *medium.fields.begin();
-        if (is == "chromatic") {
-            for (const Json &sigma : p["sigma_t"].items) sigma_t.push_back(by * sigma.number);
-            for (const Json &sigma : p["sigma_s"].items) sigma_s.push_back(by * sigma.number);
-        } else if (p.has("medium")) {
-            channels(p["medium"], is == "scaled" ? by * p["by"].number : by);
-        }
-    }
-
-    static double length_of(const Json &medium) {
-        const auto &[is, p] = *medium.fields.begin();
-        if (is == "scaled" || is == "reversed") return length_of(p["medium"]);
-        return is == "segment" ? p["to"].number - p["from"].number : p["length"].number;
-    }
-
-    // Media that are polynomials between breaks come as a table.
-    static Mu closed_form(const Json &medium) {
-        const std::string is = medium.fields.begin()->first;
-        const Json &p = medium.fields.begin()->second;
-        if (is == "gaussian") {
-            double base = p.has("base") ? p["base"].number : 0.0, peak = p["peak"].number;
-            double center = p["center"].number, width = p["width"].number;
-            return [=](double t) { return base + peak * std::exp(-0.5 * std::pow((t - center) / width, 2)); };
-        }
-        if (is == "exponential") {
-            double mu0 = p["mu0"].number, height = p["scale_height"].number;
-            return [=](double t) { return mu0 * std::exp(-t / height); };
-        }
-        if (is == "sinusoid") {
-            double mean = p["mean"].number, amplitude = p["amplitude"].number;
-            double per_length = 2.0 * std::acos(-1.0) * p["frequency"].number, phase = p.has("phase") ? p["phase"].number : 0.0;
-            return [=](double t) { return mean * (1.0 + amplitude * std::sin(per_length * t + phase)); };
-        }
-        if (is == "scaled") return [by = p["by"].number, of = closed_form(p["medium"])](double t) { return by * of(t); };
-        if (is == "segment") return [at = p["from"].number, of = closed_form(p["medium"])](double t) { return of(at + t); };
-        if (is == "reversed") return [end = length_of(medium), of = closed_form(p["medium"])](double t) { return of(end - t); };
-        return [is](double) -> double {
-            throw std::runtime_error("freepath.hpp does not know mu(t) of the medium " + is + ": write it yourself");
-        };
-    }
-
-    // Through the nodes of each cell: Lagrange's polynomial.
-    static Mu table(const std::string &path, double rows_per_cell) {
+    // The polynomial through the rows of each cell.
+    static std::function<double(double)> table(const std::string &path, double rows_per_cell) {
         std::ifstream file(path);
         std::string head;
-        std::vector<double> ts, mus;
+        std::vector<double> ts, terms;
         char comma = 0;
         std::getline(file, head);
-        for (double t, mu; file >> t >> comma >> mu;) ts.push_back(t), mus.push_back(mu);
+        for (double t, mu; file >> t >> comma >> mu;) ts.push_back(t), terms.push_back(mu);
         auto n = static_cast<std::size_t>(rows_per_cell);
         if (n < 2 || ts.size() < n) throw std::runtime_error("cannot read " + path);
-        return [=](double t) {
+        for (std::size_t cell = 0; cell + n <= ts.size(); cell += n) differences(terms.data() + cell, n);
+        return [n, ts = std::move(ts), terms = std::move(terms)](double t) {
             std::size_t low = 0, high = ts.size() / n; // t is in cell low, before cell high
             while (high - low > 1) {
                 std::size_t middle = low + (high - low) / 2;
                 (ts[middle * n] <= t ? low : high) = middle;
             }
-            const double *at = ts.data() + low * n, *mu = mus.data() + low * n;
-            double u = (t - at[0]) / (at[n - 1] - at[0]) * static_cast<double>(n - 1), sum = 0.0;
-            for (std::size_t k = 0; k < n; k++) {
-                double weight = 1.0;
-                for (std::size_t j = 0; j < n; j++)
-                    if (j != k) weight *= (u - static_cast<double>(j)) / (static_cast<double>(k) - static_cast<double>(j));
-                sum += weight * mu[k];
-            }
-            return sum;
+            const double *at = ts.data() + low * n, *of = terms.data() + low * n;
+            double s = (t - at[0]) / (at[n - 1] - at[0]) * static_cast<double>(n - 1), sum = 0.0;
+            for (std::size_t k = n; k-- > 0;) sum = sum * (s - static_cast<double>(k)) + of[k];
+            return sum < 0.0 ? 0.0 : sum; // by rounding
         };
+    }
+
+    // Newton's forward differences over their factorials.
+    static void differences(double *mu, std::size_t n) {
+        for (std::size_t order = 1; order < n; order++)
+            for (std::size_t k = n - 1; k >= order; k--) mu[k] = (mu[k] - mu[k - 1]) / static_cast<double>(order);
     }
 };
 

@@ -4,13 +4,13 @@
 //!
 //! ```text
 //! {"protocol":1,"kind":"free_path","medium":{..},"majorants":[{"end":..,"mu_bar":..}],"length":..,"draws":N,"seed":S,
-//!  "stage":1,"case_file":"..","table":"..","rows_per_cell":2}
+//!  "stage":1,"case_file":"..","table":"..","rows_per_cell":2,"table_error":0.0}
 //! ```
 //!
 //! and writes exactly N rows of doubles, little endian: a free path is t, infinity for an escape (t that is the length within
 //! the tolerance counts as one); a transmittance is an estimate; a chromatic row is t, event (0 scatters, 1 is the surface) and
-//! a weight per channel. S is below 2^53, and another for each stage. `table` and `rows_per_cell` stand there only for a medium
-//! whose mu is a polynomial between its breaks: see [`nodes`].
+//! a weight per channel. S is below 2^53, and another for each stage. The table is mu(t) under the majorants, as polynomials through
+//! the rows of each cell; in a chromatic medium `sigma_t` and `sigma_s` of each channel stand in its place.
 //!
 //! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
 //! give different ones (else `dependent`).
@@ -21,13 +21,14 @@ use freepath_draws::{Draws, Row};
 use freepath_formats::{Refusal, Table};
 use freepath_statistics::Fact;
 use log::Log;
+use nodes::NodeTable;
 use process::Process;
 use std::path::PathBuf;
 use std::time::Duration;
-use tempfile::NamedTempFile;
 
+mod limits;
 mod log;
-pub mod nodes;
+mod nodes;
 #[cfg(unix)]
 mod process;
 #[cfg(not(unix))]
@@ -36,17 +37,9 @@ mod process;
 mod rehearsal;
 mod request;
 
+pub use limits::{IDLE, IDLE_RANGE, TOTAL_PER_IDLE};
 pub use log::MOST_LOG;
 pub(crate) use request::Setting;
-
-/// Seconds of silence after which a program is killed, unless a case says otherwise.
-pub const IDLE: f64 = 60.0;
-
-/// A program may take so many times its idle limit in all.
-pub const TOTAL_PER_IDLE: u32 = 10;
-
-/// The least and the most seconds that the idle limit may be.
-pub const IDLE_RANGE: (f64, f64) = (0.01, 86_400.0);
 
 /// A program that is started for each stage.
 pub struct Program {
@@ -60,11 +53,28 @@ pub struct Program {
     tolerance: f64,
     request: serde_json::Map<String, serde_json::Value>,
     log: Log,
-    /// The nodes of the medium; the file lives as long as the program.
-    _table: Option<NamedTempFile>,
+    /// The medium; the file lives as long as the program.
+    _table: Option<NodeTable>,
 }
 
 impl Program {
+    /// `argv`, to be run in `folder` and to be killed after the silence `idle`.
+    ///
+    /// # Errors
+    /// If there is no table of the medium.
+    pub(crate) fn new(
+        argv: &[String],
+        folder: PathBuf,
+        idle: Duration,
+        setting: &Setting,
+    ) -> Result<Self, Refusal> {
+        let table = setting.truth.map(NodeTable::write).transpose()?;
+        let request = setting.request(table.as_ref());
+        let Setting { rows, tolerance, .. } = setting;
+        let (argv, format, log) = (argv.to_vec(), rows.clone(), Log::default());
+        Ok(Self { argv, folder, idle, format, tolerance: *tolerance, request, log, _table: table })
+    }
+
     /// What it has written to standard error so far, in all its starts, up to [`MOST_LOG`] bytes.
     #[must_use]
     pub fn log(&self) -> String {

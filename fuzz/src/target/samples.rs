@@ -2,7 +2,7 @@
 
 use super::volume::header_length;
 use super::{Answer, PLAIN, Reader, Target};
-use freepath_draws::Draws;
+use freepath_estimators::Draws;
 use freepath_formats::Format;
 use freepath_harness::samples::{
     EscapeRule, Escapes, Place, Request, RowFormat, SampleFile, SampleSource, Wanted,

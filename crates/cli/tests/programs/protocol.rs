@@ -8,8 +8,10 @@ use std::path::Path;
 
 pub(crate) const TESTS: &[Test] = &[
     ("commands_need_leave", commands_need_leave),
+    ("a_medium_with_too_much_grain_for_a_table_is_refused", a_medium_with_too_much_grain_for_a_table_is_refused),
     ("a_long_request_does_not_block", a_long_request_does_not_block),
     ("the_request_says_what_the_protocol_says", the_request_says_what_the_protocol_says),
+    ("channels_are_told_as_they_are", channels_are_told_as_they_are),
     ("the_number_of_threads_does_not_matter", the_number_of_threads_does_not_matter),
 ];
 
@@ -56,6 +58,17 @@ fn commands_need_leave() {
     assert!(!folder.join("cases/it_ran").exists());
 }
 
+fn a_medium_with_too_much_grain_for_a_table_is_refused() {
+    let folder = ready("programs_grain", &[], "");
+    let medium = r#"{ "formula": { "mu": "1 + 1e-9*sin(1e9*t)", "length": 2.0, "majorant": 2.0 } }"#;
+    let subject = r#"{ "free_path": { "command": { "argv": ["a"] } } }"#;
+    let case = format!(r#"{{ "title": "x", "medium": {medium}, "subjects": [ {subject} ] }}"#);
+    put(&folder, "cases/bad.json", &case);
+    let (code, out, err) = run(&folder, &["run", "cases/bad.json", "--allow-commands"]);
+    assert_eq!((code, out.as_str()), (2, ""), "{err}");
+    assert!(err.contains("cases/bad.json:1:") && err.contains("cannot tell the program its medium: "), "{err}");
+}
+
 /// The request is longer than a pipe holds, and neither end reads first; standard error is more than is kept.
 fn a_long_request_does_not_block() {
     let folder = ready("programs_long", &[("right", RIGHT)], r#""majorant": { "segments": 20000 },"#);
@@ -91,9 +104,28 @@ fn the_request_says_what_the_protocol_says() {
         let bounds = serde_json::json!([{ "end": 1.0, "mu_bar": 1.5 }, { "end": 2.0, "mu_bar": 1.5 }]);
         assert_eq!((&request["majorants"], &request["length"]), (&bounds, &2.0.into()));
         assert_eq!(request["case_file"], case_file.display().to_string());
+        assert_eq!((&request["rows_per_cell"], &request["table_error"]), (&2.into(), &0.0.into()));
         assert!(!Path::new(request["table"].as_str().unwrap()).exists(), "the table is gone after the run");
     }
     assert_eq!(std::fs::read_to_string(folder.join("cases/table.csv")).unwrap(), "t,mu\n0,1.5\n2,1.5\n");
+}
+
+fn channels_are_told_as_they_are() {
+    let keep = format!("printf '%s\\n' \"$line\" > request; {RIGHT}");
+    let folder = ready("programs_channels", &[("keeps", &keep)], "");
+    let channels = r#"{ "chromatic": { "sigma_t": [1.0, 2.0], "sigma_s": [0.5, 2.0], "length": 3.0 } }"#;
+    let medium = format!(
+        r#"{{ "scaled": {{ "by": 2.0, "medium": {{ "segment": {{ "from": 1.0, "to": 3.0, "medium": {channels} }} }} }} }}"#
+    );
+    let case = format!(
+        r#"{{ "title": "x", "medium": {medium}, "subjects": [ {{ "chromatic": {{ "command": {{ "argv": ["sh", "keeps.sh"] }} }} }} ] }}"#
+    );
+    put(&folder, "cases/scripts.json", &case);
+    assert_eq!(run(&folder, &["run", "--allow-commands"]).0, 1, "these are no rows of two channels");
+    let request = std::fs::read_to_string(folder.join("cases/request")).unwrap();
+    let request: serde_json::Value = serde_json::from_str(&request).unwrap();
+    let told = [&request["sigma_t"], &request["sigma_s"], &request["length"], &request["table"]];
+    assert_eq!(told.map(ToString::to_string), ["[2.0,4.0]", "[1.0,4.0]", "2.0", "null"]);
 }
 
 fn the_number_of_threads_does_not_matter() {

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// A program in any language, started for each stage in the folder of the case; needs `--allow-commands`.
 ///
 /// ```text
-/// stdin:  one line of JSON: protocol, kind, medium, majorants, length, draws, seed, stage, case_file, table, rows_per_cell
+/// stdin:  one line of JSON: protocol, kind, medium, majorants, length, draws, seed, stage, case_file, and mu(t) as a table
 /// stdout: exactly `draws` rows of doubles, little endian
 ///         free_path: t, infinity for an escape (or the length, within the tolerance)
 ///         transmittance: the estimate;  chromatic: t, event (0 scatters, 1 is the surface), one weight per channel
@@ -67,11 +67,12 @@ impl Preparing<'_> {
             medium: serde_json::to_value(&case.medium).unwrap_or_default(),
             truth: outline.medium,
             length: outline.length,
+            channels: outline.channels,
             tolerance: self.spec.tolerance.or(case.tolerance).unwrap_or(0.0),
             case_file: self.file.path.file_name().map(|name| folder.join(name)).unwrap_or_default(),
         };
         let argv = in_folder(&command.argv, &folder);
-        let cannot = |why| self.file.refuse(&at, format!("the table of the medium cannot be written: {why}"));
+        let cannot = |why| self.file.refuse(&at, format!("cannot tell the program its medium: {why}"));
         Program::new(&argv, folder, idle, &setting).map_err(cannot)
     }
 

@@ -1,6 +1,6 @@
 //! A process in a group of its own: fed, heard and killed as a whole, without a deadlock and without waiting for ever.
 
-use super::TOTAL_PER_IDLE;
+use super::limits::TOTAL_PER_IDLE;
 use super::log::{Log, last_line};
 use freepath_formats::Refusal;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};

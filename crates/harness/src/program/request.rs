@@ -1,13 +1,11 @@
 //! The line that tells a program what to draw.
 
-use super::log::Log;
-use super::{Program, nodes};
+use super::nodes::NodeTable;
 use crate::samples::{RowFormat, Wanted};
-use freepath_estimators::Medium;
+use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{Extinction, Medium};
 use serde_json::{Map, Value, json};
-use std::io;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// The version of the protocol.
 const PROTOCOL: u32 = 1;
@@ -23,40 +21,42 @@ pub(crate) struct Setting<'a> {
     /// Under the majorants of the subject; none for channels.
     pub(crate) truth: Option<&'a dyn Medium>,
     pub(crate) length: f64,
+    pub(crate) channels: Option<&'a ChromaticMedium>,
     pub(crate) tolerance: f64,
     pub(crate) case_file: PathBuf,
 }
 
 impl Setting<'_> {
+    /// What is said at every start; draws, seed and stage are stated later.
+    pub(super) fn request(&self, table: Option<&NodeTable>) -> Map<String, Value> {
+        let mut request = Map::new();
+        let mut state = |name: &str, value: Value| request.insert(name.into(), value);
+        state("protocol", json!(PROTOCOL));
+        state("kind", json!(self.kind));
+        state("medium", self.medium.clone());
+        state("majorants", json!(self.majorants()));
+        state("length", json!(self.length));
+        ["draws", "seed", "stage"].iter().for_each(|later| drop(state(later, json!(0))));
+        state("case_file", json!(self.case_file));
+        if let Some(table) = table {
+            state("table", json!(table.file.path()));
+            state("rows_per_cell", json!(table.rows_per_cell));
+            state("table_error", json!(table.error));
+        }
+        if let Some(channels) = self.channels {
+            let of = channels.media().iter().map(|(extinction, albedo)| (extinction.mu(0.0), albedo));
+            let (sigma_t, sigma_s): (Vec<f64>, Vec<f64>) = of.map(|(mu, albedo)| (mu, albedo * mu)).unzip();
+            state("sigma_t", json!(sigma_t));
+            state("sigma_s", json!(sigma_s));
+        }
+        request
+    }
+
     fn majorants(&self) -> Vec<Value> {
         let Some(medium) = self.truth else { return Vec::new() };
         let bounds = medium.majorants();
         let of = |(end, mu_bar): (&f64, &f64)| json!({ "end": end, "mu_bar": mu_bar });
         bounds.ends().iter().zip(bounds.mu_bar()).map(of).collect()
-    }
-}
-
-impl Program {
-    /// `argv`, to be run in `folder` and to be killed after the silence `idle`.
-    ///
-    /// # Errors
-    /// If the table of the medium cannot be written.
-    pub(crate) fn new(argv: &[String], folder: PathBuf, idle: Duration, setting: &Setting) -> io::Result<Self> {
-        let Setting { length, tolerance, .. } = *setting;
-        let table = setting.truth.map(nodes::write).transpose()?.flatten();
-        let mut request = json!({
-            "protocol": PROTOCOL, "kind": setting.kind, "medium": setting.medium, "majorants": setting.majorants(),
-            "length": length, "draws": 0, "seed": 0, "stage": 0, "case_file": setting.case_file,
-        });
-        let mut table_file = None;
-        if let Some((file, rows)) = table {
-            request["table"] = json!(file.path());
-            request["rows_per_cell"] = json!(rows);
-            table_file = Some(file);
-        }
-        let Value::Object(request) = request else { return Err(io::Error::other("no request")) };
-        let (argv, format, log) = (argv.to_vec(), setting.rows.clone(), Log::default());
-        Ok(Self { argv, folder, idle, format, tolerance, request, log, _table: table_file })
     }
 }
 
