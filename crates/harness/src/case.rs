@@ -3,6 +3,7 @@
 use crate::agree::Agreement;
 use crate::diagnose::{Diagnosis, MAX_BYTES, Source};
 use crate::kind::KINDS;
+use crate::scene::AnyScene;
 use freepath_estimators::MajorantChoice;
 use freepath_estimators::medium::AnyMedium;
 use freepath_statistics::claim::BiasBound;
@@ -46,18 +47,22 @@ pub use schema::{resolve, variants};
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;
 
-/// One medium, many subjects.
+/// One scene, many subjects.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "case")]
+#[schemars(rename = "case", extend("oneOf" = [{"required": ["medium"]}, {"required": ["scene"]}]))]
 pub struct Case {
     /// The schema of this file, for editors.
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none", default)]
     pub schema: Option<String>,
     /// What the case is about, in a line.
     pub title: String,
-    /// The medium along the ray.
-    pub medium: AnyMedium,
+    /// The medium along the ray: the scene of free paths, transmittances and channels.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub medium: Option<AnyMedium>,
+    /// Any other scene.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub scene: Option<AnyScene>,
     /// The majorant under which subjects see it.
     #[serde(default)]
     pub majorant: MajorantChoice,
@@ -99,6 +104,23 @@ pub struct Ray {
     pub origin: [f64; 3],
     /// Where it goes; of any length.
     pub direction: [f64; 3],
+}
+
+impl Case {
+    /// The name of its scene.
+    #[must_use]
+    pub fn scene_name(&self) -> &'static str {
+        let medium = self.medium.as_ref().map(AnyMedium::name);
+        medium.or(self.scene.as_ref().map(AnyScene::name)).unwrap_or_default()
+    }
+
+    /// Its scene, as the case has it.
+    #[must_use]
+    pub fn scene_json(&self) -> serde_json::Value {
+        let medium = self.medium.as_ref().map(serde_json::to_value);
+        let json = medium.or_else(|| self.scene.as_ref().map(serde_json::to_value));
+        json.transpose().ok().flatten().unwrap_or_default()
+    }
 }
 
 /// The JSON schema of a case (draft 2020-12).

@@ -32,6 +32,8 @@ kinds! {
     transmittance::Transmittance,
     /// A chromatic sampler.
     chromatic::Chromatic,
+    /// An estimator of a number.
+    estimate::Estimate,
 }
 
 /// What a case says of something by its name: its parameters.

@@ -1,14 +1,18 @@
 //! Scenes: where the truth of a case lives, along one ray if it has several. A kind takes the scene that it needs by its type.
 
-use freepath_estimators::Medium;
 use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::{Medium, ParameterError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::sync::Arc;
 
 /// The truth of a case.
 pub trait Scene: Any + Send + Sync {
-    /// The extinctions along the ray; none of a scene without a medium.
-    fn views(&self) -> Vec<View<'_>>;
+    /// The extinctions along the ray. Provided: none, of a scene without a medium.
+    fn views(&self) -> Vec<View<'_>> {
+        Vec::new()
+    }
 }
 
 impl dyn Scene {
@@ -17,6 +21,63 @@ impl dyn Scene {
     pub fn get<T: Scene>(&self) -> Option<&T> {
         (self as &dyn Any).downcast_ref()
     }
+}
+
+/// A scene that a case states under its name, with a check of its parameters.
+pub trait StatedScene: Scene + Clone {
+    /// Refuses parameters that make no scene.
+    ///
+    /// # Errors
+    /// Naming the parameter.
+    fn check(&self) -> Result<(), ParameterError>;
+}
+
+/// Names to types: an enum with one variant per file of the folder `scene`.
+macro_rules! scenes {
+    ($($file:ident::$Type:ident,)*) => {
+        $(mod $file; pub use $file::$Type;)*
+
+        /// A scene without a medium that a case can name.
+        #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+        #[serde(rename_all = "snake_case")]
+        pub enum AnyScene {
+            $(
+                #[doc = concat!("See [`", stringify!($Type), "`].")]
+                // The schema refers to the type, whose own words are the ones to show.
+                #[schemars(description = "")]
+                $Type($Type),
+            )*
+        }
+
+        impl AnyScene {
+            /// The names that a case may use.
+            pub const NAMES: &[&str] = &[$(stringify!($file),)*];
+
+            /// The name of this one.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self { $(Self::$Type(_) => stringify!($file),)* }
+            }
+
+            /// Refuses parameters that make no scene.
+            ///
+            /// # Errors
+            /// Naming the parameter.
+            pub fn check(&self) -> Result<(), ParameterError> {
+                match self { $(Self::$Type(scene) => scene.check(),)* }
+            }
+
+            /// The scene.
+            #[must_use]
+            pub fn build(&self) -> Arc<dyn Scene> {
+                match self { $(Self::$Type(scene) => Arc::new(scene.clone()),)* }
+            }
+        }
+    };
+}
+
+scenes! {
+    number::Number,
 }
 
 /// One extinction of a scene.

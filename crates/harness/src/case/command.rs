@@ -64,7 +64,7 @@ impl Preparing<'_> {
         let setting = Setting {
             kind: named.kind(),
             rows,
-            medium: serde_json::to_value(&case.medium).unwrap_or_default(),
+            medium: case.scene_json(),
             truth: outline.medium,
             length: outline.length,
             channels: outline.channels,

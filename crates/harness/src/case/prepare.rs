@@ -7,11 +7,11 @@ use crate::agree::Variant;
 use crate::experiment::Experiment;
 use crate::fault::Fault;
 use crate::hash::hash;
-use crate::scene::{ChannelScene, MediumScene, Scene};
+use crate::scene::{AnyScene, ChannelScene, MediumScene, Scene};
 use crate::subject::{DRAWS, Subject};
 use freepath_draws::random::UNIFORM_BITS;
-use freepath_estimators::medium::Built;
-use freepath_estimators::{ParameterError, Under};
+use freepath_estimators::medium::{AnyMedium, Built};
+use freepath_estimators::{MajorantChoice, ParameterError, Under};
 use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
@@ -128,13 +128,25 @@ impl CaseFile {
         rays.into_iter().map(one).collect()
     }
 
+    /// The scene along one ray: exactly one of a medium and any other.
     fn scene(&self, place: &Place, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
-        let name = self.case.medium.name();
+        match (&self.case.medium, &self.case.scene) {
+            (Some(medium), None) => self.medium(medium, place, at),
+            (None, Some(scene)) => self.other(scene),
+            (None, None) => Err(self.refuse("", "it has no scene (a `medium`, or a `scene`)")),
+            (Some(_), Some(_)) => {
+                Err(self.refuse("scene", "it has two scenes (a `medium`, or a `scene`, not both)"))
+            }
+        }
+    }
+
+    fn medium(&self, medium: &AnyMedium, place: &Place, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
+        let name = medium.name();
         let inside = |why: ParameterError| {
             let path = if at == "medium" { format!("medium.{name}.{}", why.name()) } else { at.to_string() };
             self.refuse(&path, why)
         };
-        let built = self.case.medium.build(place).map_err(inside)?;
+        let built = medium.build(place).map_err(inside)?;
         if place.ray.is_some() && !place.asked.get() {
             let why = format!("the medium {name} is the same along every ray (`rays` are for a voxel_grid)");
             return Err(self.refuse("rays", why));
@@ -147,6 +159,24 @@ impl CaseFile {
                 Ok(Arc::new(MediumScene(Arc::new(Under::new(medium, majorants)))))
             }
         }
+    }
+
+    /// A scene without a medium has no majorant and no rays.
+    fn other(&self, scene: &AnyScene) -> Result<Arc<dyn Scene>, CaseError> {
+        let refuse =
+            |key: &str| self.refuse(key, format!("the scene {} has no medium to go with it", scene.name()));
+        if self.case.majorant != MajorantChoice::default() {
+            return Err(refuse("majorant"));
+        }
+        if !self.case.rays.is_empty() {
+            return Err(refuse("rays"));
+        }
+        let inside = |why: ParameterError| {
+            let path = format!("scene.{}.{}", scene.name(), why.name());
+            self.refuse(&path, why)
+        };
+        scene.check().map_err(inside)?;
+        Ok(scene.build())
     }
 
     fn subject(

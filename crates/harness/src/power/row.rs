@@ -103,7 +103,7 @@ impl Found {
             estimator: prepared.spec.estimator().into(),
             kind: prepared.spec.kind().into(),
             fault: prepared.faults.iter().map(words).collect::<Vec<_>>().join(" + "),
-            medium: words(&case.case.medium),
+            medium: words(&case.case.scene_json()),
             role: self.aim.role,
             as_expected: self.as_expected && (self.aim.role != Role::Hidden || self.silent),
             draws: self.full.rung.draws,

@@ -10,18 +10,17 @@ const POINTS: usize = 300;
 pub fn medium_result(case: &Prepared) -> MediumResult {
     let views = case.scene.views();
     let length = views.first().map_or(0.0, |view| view.medium.length());
-    let extrema = views.iter().map(|view| view.medium.extrema(0.0, length));
-    let extrema = extrema.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), (low, high)| {
-        (if low < least { low } else { least }, if high > most { high } else { most })
-    });
+    let bounds =
+        |a: (f64, f64), b: (f64, f64)| (if b.0 < a.0 { b.0 } else { a.0 }, if b.1 > a.1 { b.1 } else { a.1 });
+    let extrema = views.iter().map(|view| view.medium.extrema(0.0, length)).reduce(bounds).unwrap_or_default();
     let tau = views.iter().map(|view| Real(view.medium.tau(length))).collect();
     let series = views.iter().map(|view| series(view.medium)).collect();
-    let parameters = serde_json::to_value(&case.case.medium).unwrap_or_default();
+    let parameters = case.case.scene_json();
     MediumResult {
         file: case.file.clone(),
         case: case.case.title.clone(),
         ray: case.ray,
-        medium: case.case.medium.name().into(),
+        medium: case.case.scene_name().into(),
         parameters,
         length: Real(length),
         tau,
