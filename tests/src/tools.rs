@@ -17,17 +17,17 @@ pub enum Tool {
 
 /// The tests that need tools: package, name, and what it needs.
 pub const NEEDING: &[(&str, &str, &[Tool])] = &[
-    ("freepath", "the_python_example_is_judged_right", &[Tool::Python]),
-    ("freepath", "the_cpp_example_is_judged_right", &[Tool::Cpp]),
-    ("freepath", "the_c_example_is_judged_right", &[Tool::C]),
-    ("freepath", "python_reads_every_table", &[Tool::Python]),
-    ("freepath", "cpp_reads_every_table", &[Tool::Cpp]),
-    ("freepath", "c_reads_every_table", &[Tool::C]),
-    ("freepath", "python_looks_up_every_medium", &[Tool::Python]),
-    ("freepath", "cpp_looks_up_every_medium", &[Tool::Cpp]),
-    ("freepath", "c_looks_up_every_medium", &[Tool::C]),
-    ("freepath", "a_mistake_in_python_is_told", &[Tool::Python]),
-    ("freepath", "the_readme_leads_to_verdicts", &[Tool::Python, Tool::Cpp]),
+    ("freepath-cli", "the_python_example_is_judged_right", &[Tool::Python]),
+    ("freepath-cli", "the_cpp_example_is_judged_right", &[Tool::Cpp]),
+    ("freepath-cli", "the_c_example_is_judged_right", &[Tool::C]),
+    ("freepath-cli", "python_reads_every_table", &[Tool::Python]),
+    ("freepath-cli", "cpp_reads_every_table", &[Tool::Cpp]),
+    ("freepath-cli", "c_reads_every_table", &[Tool::C]),
+    ("freepath-cli", "python_looks_up_every_medium", &[Tool::Python]),
+    ("freepath-cli", "cpp_looks_up_every_medium", &[Tool::Cpp]),
+    ("freepath-cli", "c_looks_up_every_medium", &[Tool::C]),
+    ("freepath-cli", "a_mistake_in_python_is_told", &[Tool::Python]),
+    ("freepath-cli", "the_readme_leads_to_verdicts", &[Tool::Python, Tool::Cpp]),
     ("freepath-capi", "the_commands_of_the_readme_build_and_run_the_example", &[Tool::Cpp]),
     ("freepath-capi", "the_example_in_cpp_judges_with_the_static_and_the_shared_library", &[Tool::Cpp]),
 ];

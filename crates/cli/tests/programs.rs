@@ -40,11 +40,11 @@ fn main() {
         return;
     }
     let needing =
-        || tools::NEEDING.iter().filter(|(package, ..)| *package == "freepath").map(|(_, name, _)| *name);
+        || tools::NEEDING.iter().filter(|(package, ..)| *package == "freepath-cli").map(|(_, name, _)| *name);
     needing().for_each(|name| assert!(all.iter().copied().flatten().any(|(other, _)| *other == name), "{name}"));
     let mut left_out = 0;
     for (name, test) in chosen() {
-        if !needing().any(|other| other == *name) || tools::can_run("freepath", name) {
+        if !needing().any(|other| other == *name) || tools::can_run("freepath-cli", name) {
             test();
             println!("test {name} ... ok");
         } else {
