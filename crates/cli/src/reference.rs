@@ -8,10 +8,10 @@ use doc::plain;
 pub(crate) use fields::Field;
 use fields::fields;
 use freepath_harness::case::{self, variants};
-use freepath_harness::describe;
+use freepath_harness::describe::CHECKS;
 use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
-use freepath_statistics::hypothesis;
+use freepath_statistics::hypothesis::TESTS;
 
 /// One name.
 #[derive(Debug)]
@@ -82,15 +82,15 @@ pub(crate) fn entries() -> Vec<Entry> {
 }
 
 fn tests() -> impl Iterator<Item = Entry> {
-    let named = |kind| move |entry: &(&'static str, &'static str)| (kind, entry.0, entry.1);
-    let all = hypothesis::NAMES.iter().map(named("test")).chain(describe::CHECKS.iter().map(named("check")));
-    all.map(|(kind, name, words)| Entry {
+    let entry = |kind, name: &str, words: &str, details: &str| Entry {
         kind,
         name: name.to_string(),
-        words: plain(&format!("{words}\n\n{}", describe::details(name).unwrap_or_default())),
+        words: plain(&format!("{words}\n\n{details}")),
         fields: Vec::new(),
         example: String::new(),
-    })
+    };
+    let tests = TESTS.iter().map(move |test| entry("test", test.name, test.words, test.details));
+    tests.chain(CHECKS.iter().map(move |check| entry("check", check.name, check.words, check.details)))
 }
 
 fn reasons() -> impl Iterator<Item = Entry> {

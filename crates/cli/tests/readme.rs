@@ -7,7 +7,7 @@ use freepath_harness::describe::CHECKS;
 use freepath_harness::fault::Fault;
 use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
-use freepath_statistics::hypothesis::NAMES;
+use freepath_statistics::hypothesis::TESTS;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -135,7 +135,7 @@ fn every_name_is_told() {
 
 #[test]
 fn every_test_check_and_reason_has_a_section_and_every_section_is_of_one() {
-    let named = NAMES.iter().chain(CHECKS).map(|(name, _)| *name);
+    let named = TESTS.iter().map(|test| test.name).chain(CHECKS.iter().map(|check| check.name));
     let known: BTreeSet<&str> = named.chain(Reason::ALL.iter().map(|reason| reason.code())).collect();
     let page = text("docs/statistics.md");
     let headings = page.lines().filter_map(|line| line.strip_prefix("### "));

@@ -1,32 +1,60 @@
-//! Tests and checks in short: what `freepath describe` prints below the first sentence. `docs/statistics.md` has the
-//! long form, a section for each name.
+//! The list of the checks that find facts. A test has a list beside it, in `freepath_statistics`; `docs/statistics.md` has a
+//! section for each of both.
 
-mod checks;
-mod tests;
+use crate::identities::{composition, counts, density, history, medium, reproducible, roulette, zero_variance};
+use crate::scripted;
+use freepath_statistics::check::{self, Check};
 
-pub use checks::CHECKS;
-
-/// Formula, gate and source of a test of [`NAMES`](freepath_statistics::hypothesis::NAMES), or what a check of [`CHECKS`] compares with what.
-#[must_use]
-pub fn details(name: &str) -> Option<&'static str> {
-    let all = tests::DETAILS.iter().chain(checks::DETAILS);
-    all.copied().find(|(known, _)| *known == name).map(|(_, words)| words)
-}
+/// Every check, in the order in which they are told: no p-value, and one fact fails.
+pub const CHECKS: &[Check] = &[
+    check::SUBJECT,
+    check::AUDIT,
+    check::FINITE,
+    check::SUPPORT,
+    check::VACUUM,
+    check::UNIT_WEIGHT,
+    scripted::CHECK,
+    reproducible::CHECK,
+    history::CHECK,
+    reproducible::STREAMS,
+    medium::CHECK,
+    composition::CHECK,
+    roulette::CHECK,
+    zero_variance::CHECK,
+    counts::CHECK,
+    density::CHECK,
+];
 
 #[cfg(test)]
 mod guard {
-    use super::{checks, details, tests};
-    use crate::describe::CHECKS;
-    use freepath_statistics::hypothesis::NAMES;
+    use super::CHECKS;
+    use freepath_statistics::hypothesis::TESTS;
+    use std::fs;
+    use std::path::Path;
 
     #[test]
-    fn everything_that_has_a_name_has_details_and_nothing_else_has() {
-        let known: Vec<&str> = NAMES.iter().chain(CHECKS).map(|(name, _)| *name).collect();
-        let missing: Vec<_> = known.iter().filter(|name| details(name).is_none()).collect();
-        assert!(missing.is_empty(), "no details of {missing:?}");
-        let told: Vec<&str> = tests::DETAILS.iter().chain(checks::DETAILS).map(|(name, _)| *name).collect();
-        assert_eq!(told.len(), known.len(), "a name is told twice: {told:?}");
-        let unknown: Vec<_> = told.iter().filter(|name| !known.contains(name)).collect();
-        assert!(unknown.is_empty(), "details of {unknown:?}, which nobody knows");
+    fn every_record_is_whole_and_its_name_is_its_own() {
+        let names: Vec<_> =
+            TESTS.iter().map(|test| test.name).chain(CHECKS.iter().map(|check| check.name)).collect();
+        let twice: Vec<_> =
+            names.iter().filter(|name| names.iter().filter(|other| other == name).count() > 1).collect();
+        assert!(twice.is_empty(), "two records are called {twice:?}");
+        let empty: Vec<_> =
+            CHECKS.iter().filter(|check| check.words.is_empty() || check.details.is_empty()).collect();
+        assert!(empty.is_empty(), "no words or details: {empty:?}");
+    }
+
+    #[test]
+    fn every_check_of_the_identities_is_in_the_list() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/identities");
+        let named = |text: &str| -> Vec<String> {
+            let after = text.split("    name: \"").skip(1);
+            after.map(|rest| rest.split('"').next().unwrap_or(rest).to_string()).collect()
+        };
+        let files = fs::read_dir(folder).unwrap().map(|entry| fs::read_to_string(entry.unwrap().path()).unwrap());
+        let all: Vec<String> = files.flat_map(|text| named(&text)).collect();
+        assert!(all.len() > 8, "{all:?}");
+        let missing: Vec<_> = all.iter().filter(|name| !CHECKS.iter().any(|check| check.name == **name)).collect();
+        assert!(missing.is_empty(), "not in CHECKS of describe.rs: {missing:?}");
     }
 }

@@ -21,16 +21,16 @@ use crate::experiment::Probe;
 use crate::subject::Subject;
 use freepath_statistics::Fact;
 
-mod composition;
-mod counts;
-mod density;
-mod history;
-mod medium;
+pub(crate) mod composition;
+pub(crate) mod counts;
+pub(crate) mod density;
+pub(crate) mod history;
+pub(crate) mod medium;
 mod rays;
 pub(crate) mod reproducible;
-mod roulette;
+pub(crate) mod roulette;
 mod rows;
-mod zero_variance;
+pub(crate) mod zero_variance;
 
 pub(crate) use composition::composition;
 pub(crate) use counts::counts;
@@ -40,19 +40,6 @@ pub use rays::{parts, reversal, stretch};
 pub use roulette::roulette;
 pub(crate) use roulette::roulette_of;
 pub(crate) use zero_variance::zero_variance;
-
-/// The checks with what they look at.
-pub(crate) const CHECKS: &[(&str, &str)] = &[
-    reproducible::CHECK,
-    history::CHECK,
-    reproducible::STREAMS,
-    medium::CHECK,
-    composition::CHECK,
-    roulette::CHECK,
-    zero_variance::CHECK,
-    counts::CHECK,
-    density::CHECK,
-];
 
 /// Every identity that `subject` violates: those of its scene, those that hold for all, those of its kind.
 #[must_use]

@@ -4,6 +4,7 @@
 //! Claims are fine, one family of tests each, so that one that a case withdraws is left out of a list and nothing else
 //! changes.
 
+use crate::check::Check;
 use crate::evidence::Fact;
 use crate::fold::{Folds, Tallies};
 use crate::judged::Judged;
@@ -215,6 +216,6 @@ impl<'a> Claims<'a> {
 }
 
 /// A fact, if there is anything to count.
-pub(crate) fn counted(check: &'static str, count: u64, reason: Reason, what: &str) -> Option<Fact> {
-    (count > 0).then(|| Fact::new(check, reason, format!("{count} {what}")))
+pub(crate) fn counted(check: Check, count: u64, reason: Reason, what: &str) -> Option<Fact> {
+    (count > 0).then(|| Fact::new(check.name, reason, format!("{count} {what}")))
 }

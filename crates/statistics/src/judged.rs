@@ -1,3 +1,4 @@
+use crate::check;
 use crate::evidence::{Evidence, Fact};
 use freepath_results::Reason;
 
@@ -16,6 +17,6 @@ impl Judged {
     /// What is said of a subject that did not finish its draws.
     #[must_use]
     pub fn broken(why: impl Into<String>) -> Self {
-        Self { facts: vec![Fact::new("subject", Reason::SubjectError, why)], ..Self::default() }
+        Self { facts: vec![Fact::new(check::SUBJECT.name, Reason::SubjectError, why)], ..Self::default() }
     }
 }

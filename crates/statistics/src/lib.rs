@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod block;
+pub mod check;
 pub mod claim;
 pub mod decide;
 mod evidence;

@@ -39,7 +39,7 @@ pub(crate) fn sinusoid() -> Sinusoid {
 /// `check` says `reason`, and no other check says anything.
 pub(crate) fn caught(check: &str, reason: Reason, facts: &[Fact]) -> bool {
     assert!(facts.iter().all(|fact| fact.check == check), "{facts:?}");
-    assert!(CHECKS.iter().any(|(name, _)| *name == check));
+    assert!(CHECKS.iter().any(|known| known.name == check));
     facts.iter().any(|fact| fact.reason == reason)
 }
 

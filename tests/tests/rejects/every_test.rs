@@ -10,7 +10,7 @@ use crate::ramp::in_the_ramp;
 use crate::walks::walks;
 use freepath_estimators::claims::FreePathClaims;
 use freepath_results::{Reason, Verdict};
-use freepath_statistics::hypothesis::NAMES;
+use freepath_statistics::hypothesis::TESTS;
 use freepath_tests::Judgement;
 use std::collections::BTreeSet;
 
@@ -34,9 +34,9 @@ fn every_test_rejects_a_mutant() {
     assert!(missed.is_empty(), "{}", missed.join("\n"));
     let shown: BTreeSet<_> = all.iter().map(|(test, ..)| *test).collect();
     let elsewhere = ["growth"]; // below
-    let unshown: Vec<_> = NAMES
+    let unshown: Vec<_> = TESTS
         .iter()
-        .map(|(name, _)| *name)
+        .map(|test| test.name)
         .filter(|name| !shown.contains(name) && !elsewhere.contains(name))
         .filter(|name| !name.starts_with("agree_")) // two samples: agreement.rs
         .collect();

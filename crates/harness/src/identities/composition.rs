@@ -3,13 +3,21 @@ use freepath_estimators::medium::segment;
 use freepath_estimators::{Medium, TransmittanceEstimator};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::check::Check;
 
-/// Check and words.
-pub(super) const CHECK: (&str, &str) = (
-    "identity_composition",
-    "A fact: the transmittance of a ray is that of its two parts multiplied, T(0, d) = T(0, s) T(s, d), for an estimator without \
+/// The record of the check.
+pub(crate) const CHECK: Check = Check {
+    name: "identity_composition",
+    words: "A fact: the transmittance of a ray is that of its two parts multiplied, T(0, d) = T(0, s) T(s, d), for an estimator without \
 noise, up to the bias that it declares.",
-);
+    details: "\
+```text
+T(0, d) = T(0, s) T(s, d),   s = 0.18 d, 0.41 d, 0.77 d
+```
+To 1e-9 and the error of tau, for an estimator that takes no random number. Gives biased: a segment that is cut short, an
+offset of the ray.",
+    section: "identity_composition",
+};
 
 /// Where the ray is cut, as a share of its length.
 const CUTS: [f64; 3] = [0.18, 0.41, 0.77];
@@ -42,7 +50,7 @@ fn cut(
     let excess = libm::log(whole / parts) - declared;
     let holds = excess.abs() <= slack || (whole == 0.0 && parts == 0.0);
     let words = format!("T(0, d) = {whole:e} where T(0, s) T(s, d) = {parts:e} at s = {at}");
-    (!holds).then(|| Fact::new(CHECK.0, Reason::Biased, words))
+    (!holds).then(|| Fact::new(CHECK.name, Reason::Biased, words))
 }
 
 /// The estimate, if it takes no random number.

@@ -3,13 +3,16 @@ use crate::kind::Ray;
 use freepath_draws::column;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::check::Check;
 
-/// Check and words.
-pub(super) const CHECK: (&str, &str) = (
-    "identity_counts",
-    "A fact: where the majorant is mu itself every tentative collision is real, so that a walk of delta tracking has one if it \
+/// The record of the check.
+pub(crate) const CHECK: Check = Check {
+    name: "identity_counts",
+    words: "A fact: where the majorant is mu itself every tentative collision is real, so that a walk of delta tracking has one if it \
 collides and none if it escapes.",
-);
+    details: "Gives wrong_law. 256 walks of delta tracking where the majorant is mu itself.",
+    section: "identity_counts",
+};
 
 /// Walks that are looked at.
 const ROWS: usize = 256;
@@ -27,5 +30,5 @@ pub(crate) fn counts(Ray { truth, seen }: Ray, probe: &Probe) -> Option<Fact> {
     let wrong = t.iter().zip(collisions).find(|&(&t, &count)| count != due(t))?;
     let words =
         format!("a walk to t = {} made {} tentative collisions where {} is due", wrong.0, wrong.1, due(*wrong.0));
-    Some(Fact::new(CHECK.0, Reason::WrongLaw, words))
+    Some(Fact::new(CHECK.name, Reason::WrongLaw, words))
 }

@@ -3,13 +3,16 @@ use crate::experiment::Probe;
 use crate::subject::{Route, Subject};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::check::Check;
 
-/// Check and words.
-pub(super) const CHECK: (&str, &str) = (
-    "identity_history",
-    "A fact: a draw must not depend on the draws before it, so that draws from streams of their own are the same forwards, \
+/// The record of the check.
+pub(crate) const CHECK: Check = Check {
+    name: "identity_history",
+    words: "A fact: a draw must not depend on the draws before it, so that draws from streams of their own are the same forwards, \
 backwards, from a fresh subject and from a used one.",
-);
+    details: "Gives not_reproducible. 24 draws, each from a stream of its own, in both orders: state of a finished walk must not leak.",
+    section: "identity_history",
+};
 
 /// Draws, each from a stream of its own.
 const DRAWS: u64 = 24;
@@ -25,5 +28,5 @@ pub(super) fn fact(probe: &Probe) -> Option<Fact> {
     let differ = forwards.iter().zip(&backwards).filter(|(a, b)| a != b).count();
     let words =
         format!("{differ} of {DRAWS} draws, each from a stream of its own, change with the draws before them");
-    (differ > 0).then(|| Fact::new(CHECK.0, Reason::NotReproducible, words))
+    (differ > 0).then(|| Fact::new(CHECK.name, Reason::NotReproducible, words))
 }

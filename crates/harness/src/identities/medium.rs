@@ -2,13 +2,20 @@ use freepath_draws::quadrature::integrate;
 use freepath_estimators::Medium;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::check::Check;
 
-/// Check and words.
-pub(super) const CHECK: (&str, &str) = (
-    "identity_medium",
-    "A fact: the medium contradicts itself. tau must be the integral of mu over every part of the ray, its inverse its inverse, \
+/// The record of the check.
+pub(crate) const CHECK: Check = Check {
+    name: "identity_medium",
+    words: "A fact: the medium contradicts itself. tau must be the integral of mu over every part of the ray, its inverse its inverse, \
 mu within the extrema, a tile of look-ups the look-ups, breaks in order: else no verdict in it means anything.",
-);
+    details: "\
+```text
+tau(b) - tau(a) = int_a^b mu,   tau(tau^-1(x)) = x,   least <= mu <= greatest
+```
+To 1e-9 on each of 24 parts. Gives subject_error: nothing that is judged in such a medium means anything.",
+    section: "identity_medium",
+};
 
 /// Parts into which the ray is split.
 const PARTS: usize = 24;
@@ -26,7 +33,7 @@ pub(super) const ROUNDING: f64 = 1e-9;
 pub fn medium(medium: &dyn Medium) -> Option<Fact> {
     let identities: [fn(&dyn Medium) -> Option<String>; 5] = [order, depth, inverse, extrema, tile];
     let why = identities.iter().find_map(|identity| identity(medium))?;
-    Some(Fact::new(CHECK.0, Reason::SubjectError, format!("the medium contradicts itself: {why}")))
+    Some(Fact::new(CHECK.name, Reason::SubjectError, format!("the medium contradicts itself: {why}")))
 }
 
 /// Length and breaks.

@@ -71,5 +71,5 @@ fn compare(length: f64, media: [&dyn Medium; 2], what: &str, depths: impl Fn(f64
 }
 
 fn fact(words: &str) -> Fact {
-    Fact::new(CHECK.0, Reason::SubjectError, format!("the medium contradicts itself: {words}"))
+    Fact::new(CHECK.name, Reason::SubjectError, format!("the medium contradicts itself: {words}"))
 }

@@ -19,11 +19,11 @@ impl Program {
         let (again, other) = (self.short(seed(0), wanted)?, self.short(seed(1), wanted)?);
         if one != again {
             let words = "the same seed gave other bytes when the program was started again";
-            return Ok(vec![Fact::new(CHECK.0, Reason::NotReproducible, words)]);
+            return Ok(vec![Fact::new(CHECK.name, Reason::NotReproducible, words)]);
         }
         let copied = one == other && chance(&self.rows(&one)) < CHANCE;
         let words = "two seeds gave the same bytes: the program does not heed its seed";
-        Ok(copied.then(|| Fact::new(STREAMS.0, Reason::Dependent, words)).into_iter().collect())
+        Ok(copied.then(|| Fact::new(STREAMS.name, Reason::Dependent, words)).into_iter().collect())
     }
 
     /// What one short start writes.

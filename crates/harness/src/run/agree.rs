@@ -7,6 +7,7 @@ use crate::subject::Subject;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 use freepath_statistics::Judged;
+use freepath_statistics::check;
 use freepath_statistics::fold::Tallies;
 use std::ops::Range;
 
@@ -40,7 +41,7 @@ impl Settings<'_> {
                 Err(Stopped::Cancelled) => return Err(Cancelled),
                 Err(Stopped::Subject(why)) => {
                     let why = format!("in the setting of {}: {why}", variant.agreement.test());
-                    judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
+                    judged.facts.push(Fact::new(check::SUBJECT.name, Reason::SubjectError, why));
                 }
             }
         }

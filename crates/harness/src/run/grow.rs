@@ -14,6 +14,7 @@ use crate::experiment::Plan;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, GrownOutcome, Real, Reason};
 use freepath_statistics::Judged;
+use freepath_statistics::check;
 use freepath_statistics::claim::{Asked, InterimLook, SequentialTest};
 use freepath_statistics::fold::Folds;
 use freepath_statistics::{Evidence, Fact};
@@ -106,7 +107,7 @@ impl Growth<'_> {
             }
             Err(Stopped::Cancelled) => Err(Cancelled),
             Err(Stopped::Subject(why)) => {
-                judged.facts.push(Fact::new("subject", Reason::SubjectError, why));
+                judged.facts.push(Fact::new(check::SUBJECT.name, Reason::SubjectError, why));
                 Ok(None)
             }
         }

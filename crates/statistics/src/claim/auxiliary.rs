@@ -1,4 +1,5 @@
 use super::{Claim, Withdrawal, counted};
+use crate::check;
 use crate::fold::{Auxiliary, FoldId, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
@@ -18,7 +19,7 @@ impl Claim for AuxiliaryClaim {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let numbers = tallies.counts(self.numbers);
         let what = "marks do not lie in [0, 1)";
-        into.facts.extend(counted("finite", numbers.spoilt, Reason::NonFinite, what));
+        into.facts.extend(counted(check::FINITE, numbers.spoilt, Reason::NonFinite, what));
         into.evidence.push(hypothesis::mark(numbers));
     }
 }

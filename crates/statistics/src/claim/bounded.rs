@@ -1,4 +1,5 @@
 use super::{Claim, Summary, Withdrawal, counted};
+use crate::check;
 use crate::fold::{FoldId, Lookups, Tallies};
 use crate::judged::Judged;
 use freepath_results::{AuditResult, Reason};
@@ -18,7 +19,7 @@ impl Claim for Bounded {
         let audit = tallies.counts(self.lookups).audit;
         let worst = audit.worst.map_or(String::new(), |worst| format!(", the worst {worst}"));
         let what = format!("of {} look-ups lie above the majorant{worst}", audit.lookups);
-        into.facts.extend(counted("audit", audit.above, Reason::BoundViolated, &what));
+        into.facts.extend(counted(check::AUDIT, audit.above, Reason::BoundViolated, &what));
     }
 }
 
@@ -36,7 +37,7 @@ impl Claim for InsideRay {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let audit = tallies.counts(self.lookups).audit;
         let what = format!("of {} look-ups lie outside the ray", audit.lookups);
-        into.facts.extend(counted("audit", audit.outside, Reason::OutOfSupport, &what));
+        into.facts.extend(counted(check::AUDIT, audit.outside, Reason::OutOfSupport, &what));
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {

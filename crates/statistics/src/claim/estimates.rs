@@ -1,5 +1,6 @@
 use super::unit_weight::finite;
 use super::{Claim, Finding, Summary, Withdrawal, counted};
+use crate::check;
 use crate::fold::{FoldId, Tallies, Weights};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -22,7 +23,7 @@ impl Claim for Estimates {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let spoilt = tallies.sums(self.weights).all.non_finite;
-        into.facts.extend(counted("finite", spoilt, Reason::NonFinite, "draws are NaN or infinite"));
+        into.facts.extend(counted(check::FINITE, spoilt, Reason::NonFinite, "draws are NaN or infinite"));
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {

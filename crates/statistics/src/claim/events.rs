@@ -1,5 +1,6 @@
 use super::unit_weight::finite;
 use super::{Claim, Finding, Withdrawal, counted};
+use crate::check;
 use crate::fold::{EventSums, FoldId, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -18,7 +19,7 @@ impl Claim for EventWeights {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let spoilt = self.sums.iter().map(|&sums| tallies.sums(sums).non_finite).sum();
-        into.facts.extend(counted("finite", spoilt, Reason::NonFinite, "weights are NaN or infinite"));
+        into.facts.extend(counted(check::FINITE, spoilt, Reason::NonFinite, "weights are NaN or infinite"));
     }
 }
 

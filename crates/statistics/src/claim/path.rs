@@ -1,4 +1,5 @@
 use super::{Claim, Finding, Summary, Withdrawal, counted};
+use crate::check;
 use crate::fold::{Cells, FoldId, Strays, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -61,8 +62,8 @@ impl Claim for CountedPath {
 }
 
 fn strays(non_finite: u64, out_of_support: u64, into: &mut Judged) {
-    into.facts.extend(counted("finite", non_finite, Reason::NonFinite, "draws are NaN"));
-    into.facts.extend(counted("support", out_of_support, Reason::OutOfSupport, "draws lie outside the ray"));
+    into.facts.extend(counted(check::FINITE, non_finite, Reason::NonFinite, "draws are NaN"));
+    into.facts.extend(counted(check::SUPPORT, out_of_support, Reason::OutOfSupport, "draws lie outside the ray"));
 }
 
 fn look(t: f64, length: f64) -> Option<Finding> {

@@ -1,8 +1,7 @@
 use super::{Claim, Withdrawal};
-use crate::evidence::{Evidence, Null};
 use crate::fold::Tallies;
+use crate::hypothesis;
 use crate::judged::Judged;
-use freepath_results::Reason;
 
 /// The density that a sampler returns is one: an identity without noise.
 pub struct PdfIntegral {
@@ -16,9 +15,6 @@ impl Claim for PdfIntegral {
     }
 
     fn judge(&self, _: &Tallies, into: &mut Judged) {
-        let same = (self.integral - 1.0).abs() <= 1e-9;
-        let p = f64::from(u8::from(same));
-        let evidence = Evidence::new("pdf_integral", self.integral - 1.0, None, p, Reason::WrongLaw);
-        into.evidence.push(evidence.under(Null::Conservative));
+        into.evidence.push(hypothesis::pdf_integral(self.integral));
     }
 }

@@ -1,5 +1,6 @@
-use crate::evidence::{Evidence, Null};
+use crate::evidence::Evidence;
 use crate::fold::{Folds, Tallies};
+use crate::hypothesis::growth;
 use crate::sequence::Looks;
 use freepath_results::Reason;
 use schemars::JsonSchema;
@@ -104,8 +105,6 @@ impl SequentialTest<'_> {
     #[must_use]
     pub fn evidence(&self, look: &InterimLook, draws: u64) -> Evidence {
         let note = format!("{} after {draws} draws by {}", self.what, look.method);
-        let p = if look.p > 1.0 { 1.0 } else { look.p };
-        let evidence = Evidence::new("growth", self.with_slack(look.bound), None, p, self.reason);
-        evidence.under(Null::Conservative).noted(note)
+        growth(self.with_slack(look.bound), look.p, self.reason).noted(note)
     }
 }

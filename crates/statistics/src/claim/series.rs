@@ -1,4 +1,5 @@
 use super::{Claim, Withdrawal, counted};
+use crate::check;
 use crate::evidence::Evidence;
 use crate::fold::{Cells, FoldId, Lookups, Tallies};
 use crate::hypothesis;
@@ -44,7 +45,7 @@ impl Claim for SeriesClaim {
 fn inside(cells: &CellTally, lookups: u64, into: &mut Judged) {
     let outside = |what: &str| format!("{what} lie outside their part of a ray in two");
     let nan = "draws of a part of the ray are NaN";
-    into.facts.extend(counted("finite", cells.non_finite, Reason::NonFinite, nan));
-    into.facts.extend(counted("support", cells.out_of_support, Reason::OutOfSupport, &outside("draws")));
-    into.facts.extend(counted("audit", lookups, Reason::OutOfSupport, &outside("look-ups")));
+    into.facts.extend(counted(check::FINITE, cells.non_finite, Reason::NonFinite, nan));
+    into.facts.extend(counted(check::SUPPORT, cells.out_of_support, Reason::OutOfSupport, &outside("draws")));
+    into.facts.extend(counted(check::AUDIT, lookups, Reason::OutOfSupport, &outside("look-ups")));
 }

@@ -1,4 +1,5 @@
 use super::{Claim, Finding, Withdrawal, counted};
+use crate::check;
 use crate::fold::{FoldId, Tallies, UnitWeight};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -19,7 +20,7 @@ impl Claim for UnitWeightClaim {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let (other, what) = (*tallies.counts(self.other), "draws have a weight other than 1");
-        into.facts.extend(counted("unit_weight", other, Reason::WrongLaw, what));
+        into.facts.extend(counted(check::UNIT_WEIGHT, other, Reason::WrongLaw, what));
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {

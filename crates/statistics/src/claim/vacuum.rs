@@ -1,4 +1,5 @@
 use super::{Claim, Withdrawal, counted};
+use crate::check;
 use crate::fold::{Cells, FoldId, Tallies};
 use crate::judged::Judged;
 use crate::law::Law;
@@ -22,7 +23,7 @@ impl Claim for Vacuum<'_> {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let count = self.collisions(&tallies.counts(self.cells).cells);
-        into.facts.extend(counted("vacuum", count, Reason::OutOfSupport, "collisions lie where mu is 0"));
+        into.facts.extend(counted(check::VACUUM, count, Reason::OutOfSupport, "collisions lie where mu is 0"));
     }
 }
 

@@ -2,24 +2,40 @@
 
 use super::chi_square::lessened;
 use super::mean::{corrected_p, gate};
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
 use crate::tally::{CellTally, PowerSums};
 use freepath_results::Reason;
 
-pub(super) const WORDS: [(&str, &str); 4] = [
-    (
+/// The records of the test in its four other settings.
+pub(super) const TESTS: [Test; 4] = [
+    of(
         "agree_majorant",
         "Two samples, no truth: the subject under its majorant and under twice as much. The means by Welch's statistic under the gates \
 of skewness, exact for 0/1; a law by its escapes (exact) and by chi-square over cells.",
     ),
-    (
+    of(
         "agree_segments",
         "As agree_majorant: under one bound for the whole ray and under a bound for each of 8 segments.",
     ),
-    ("agree_grid", "As agree_majorant: in a homogeneous medium and in a grid of equal nodes."),
-    ("agree_reversed", "As agree_majorant: along the ray and back; of a law, the escapes alone."),
+    of("agree_grid", "As agree_majorant: in a homogeneous medium and in a grid of equal nodes."),
+    of("agree_reversed", "As agree_majorant: along the ray and back; of a law, the escapes alone."),
 ];
+
+/// P-values are uniform of means that skewness allows, conservative of exact ones, of laws and of bounded draws.
+const fn of(name: &'static str, words: &'static str) -> Test {
+    let details = "\
+```text
+mean:   T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m); hypergeometric for 0/1, given all ones
+law:    X = sum (a_i / a - b_i / b)^2 a b / (a_i + b_i) over cells of collided draws, and the escapes: twice the smaller p
+```
+Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
+         where the range is known; else no p-value. Cells hold 128 draws of both together.
+Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
+Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
+    Test { name, words, details, nulls: &["uniform", "conservative"], section: name }
+}
 
 /// What is known of the draws of both samples.
 pub struct Sample {

@@ -1,9 +1,24 @@
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::special::{binomial_cdf, binomial_two_sided};
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The number of escapes is binomial with the transmittance as its probability: exact, two-sided by doubling \
-the smaller tail.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "atom",
+    words: "The number of escapes is binomial with the transmittance as its probability: exact, two-sided by doubling \
+the smaller tail.",
+    details: "\
+```text
+p = min(1, 2 min(P(X <= k), P(X >= k))),   X ~ Bin(n, T),   k escapes of n draws
+```
+Gate:    none: exact for any n and T.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    a wrong optical depth. Blind to where collisions lie.
+Source:  Clopper and Pearson (1934); tails by Loader (2000).",
+    nulls: &["discrete"],
+    section: "atom",
+};
 
 /// The escape atom: `escapes` of `n` draws escaped, which happens with probability `atom`, known up to `slack`.
 ///
@@ -15,7 +30,7 @@ pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evid
     let share = escapes as f64 / n as f64;
     let null = nearest(share, atom, slack);
     let z = standardised(share - atom, (atom * (1.0 - atom) / n as f64).sqrt());
-    Evidence::new("atom", z, None, binomial_two_sided(n, null, escapes), reason)
+    Evidence::new(TEST.name, z, None, binomial_two_sided(n, null, escapes), reason)
         .under(binomial_null(n, atom, escapes))
         .noted(format!("{share:.6} of the draws escape, {atom:.6} should"))
 }

@@ -1,3 +1,4 @@
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::larger::larger;
 use crate::law::Law;
@@ -5,9 +6,24 @@ use crate::special::{berk_jones_sf, likelihood_ratio};
 use crate::tally::{CellTally, Extremes};
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The largest likelihood ratio between the empirical and the analytic CDF of the collided draws (Berk and \
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "berk_jones",
+    words: "The largest likelihood ratio between the empirical and the analytic CDF of the collided draws (Berk and \
 Jones 1979), over the 512 smallest and 512 largest distances and the edges of the fine cells between: the sharpest test of what \
-happens at the very ends of the ray.";
+happens at the very ends of the ray.",
+    details: "\
+```text
+R = max m KL(F_m || u),   KL(a || u) = a ln(a / u) + (1 - a) ln((1 - a) / (1 - u)),   u = F(t) / F(length)
+```
+Over the 512 smallest and 512 largest distances, and the edges of the fine cells between.
+Gate:    100 collisions, a law without atoms. p by simulated quantiles down to 1e-3, by a proven bound beyond: never too small.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
+Source:  Berk and Jones (1979).",
+    nulls: &["conservative"],
+    section: "berk_jones",
+};
 
 /// Fewest collisions for which the p-value is calibrated.
 const FEWEST: u64 = 100;
@@ -73,7 +89,7 @@ pub fn berk_jones(
     let m = cells.collided();
     if m < FEWEST {
         let why = format!("needs {FEWEST} collisions, has {m}");
-        return Evidence::withheld("berk_jones", f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
     }
     let open = (2.0 * law.slack() + libm::ldexp(1.0, 1 - bits as i32)) / law.collided();
     let mut statistic = BerkJones::new(m);
@@ -84,7 +100,7 @@ pub fn berk_jones(
     between(&mut statistic, law, cells, open);
     let value = statistic.value();
     let p = if value.is_nan() { f64::NAN } else { berk_jones_sf(m, value) };
-    Evidence::new("berk_jones", value, None, p, reason).under(Null::Conservative)
+    Evidence::new(TEST.name, value, None, p, reason).under(Null::Conservative)
 }
 
 /// The order statistics from one end: just after and just before each.

@@ -1,11 +1,30 @@
+use super::record::Test;
 use crate::evidence::{Evidence, POWER};
 use crate::law::{Groups, LEAST_SHARE, Law};
 use crate::special::{chi_square_noncentrality, chi_square_sf};
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Counts in nearly equiprobable cells of the free path, and of escapes, against their probabilities \
-(Pearson 1900). 16 cells see broad errors best, 64 and about 2 n^0.4 cells see narrow ones.";
+/// The records of the test with 16, with 64 and with some 2 n^0.4 cells.
+pub(super) const TESTS: [Test; 3] = [of("chi_square_16"), of("chi_square_64"), of("chi_square_fine")];
+
+const fn of(name: &'static str) -> Test {
+    Test {
+        name,
+        words: "Counts in nearly equiprobable cells of the free path, and of escapes, against their probabilities \
+(Pearson 1900). 16 cells see broad errors best, 64 and about 2 n^0.4 cells see narrow ones.",
+        details: "\
+```text
+X = sum (O - E)^2 / E,   E = n p,   p = Q((cells - 1) / 2, X / 2)
+```
+Gate:    every cell expects 50 draws, or 800 over the cells if there are fewer than 16; else fewer cells.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    16 cells broad errors, 64 and 2 n^0.4 cells an error in one voxel.
+Source:  Pearson (1900).",
+        nulls: &["uniform"],
+        section: "chi_square_16-chi_square_64-chi_square_fine",
+    }
+}
 
 /// Least expectation of each of so many cells. Below it the chi-square tail is not trusted: with 16 cells of 50 p-values of 1e-6
 /// come 1.3 to 1.5 times too often, with 2 cells of 50 more than 4 times, since the skewness of a single cell shows.

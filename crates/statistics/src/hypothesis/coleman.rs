@@ -1,11 +1,26 @@
 use super::poisson_count::{pmf, pooled};
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::tally::CountTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The joint law of the number of tentative collisions and the distance under delta tracking (Coleman 1968): a \
-wrong majorant that leaves the distance right still shows here.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "coleman",
+    words: "The joint law of the number of tentative collisions and the distance under delta tracking (Coleman 1968): a \
+wrong majorant that leaves the distance right still shows here.",
+    details: "\
+```text
+nulls | collision at z ~ Poisson(A(z)),   nulls | escape ~ Poisson(A(length)),   A(z) = int_0^z (mu_bar - mu)
+```
+Chi-square over (collisions, group of t).
+Gate:    neighbouring cells are pooled until each expects 50 draws, or more if there are few.
+Rejects: as wrong_law: a wrong majorant under a right law, skipped look-ups.
+Source:  Coleman (1968).",
+    nulls: &["uniform"],
+    section: "coleman",
+};
 
 /// Coleman's joint law: given a collision at z, the null collisions before it are Poisson(A(z)); given escape, all of them
 /// are Poisson(A(length)), with
@@ -27,9 +42,9 @@ pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, r
     mass.extend(pmf_or_none(null_depth(law.length()), tally.rows()).iter().map(|p| p * law.atom()));
     observed.extend((0..tally.rows()).map(|n| tally.count(n, tally.columns() - 1)));
     if null_depth(law.length()) <= 0.0 && law.slack() <= 0.0 && impossible(&observed, &mass) {
-        return Evidence::new("coleman", f64::INFINITY, None, 0.0, reason);
+        return Evidence::new(TEST.name, f64::INFINITY, None, 0.0, reason);
     }
-    pooled("coleman", &observed, &mass, 2.0 * law.slack(), reason)
+    pooled(TEST.name, &observed, &mass, 2.0 * law.slack(), reason)
 }
 
 /// Whether a draw lies where none can: cells of no probability join others where counts are compared.

@@ -1,12 +1,26 @@
 use super::grouped;
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::law::Law;
 use crate::special::cramer_von_mises_sf;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The squared gap between the empirical and the analytic CDF of the collided draws, integrated \
-(Cramer 1928, von Mises 1931). Shown only: it spends no error.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "cramer_von_mises",
+    words: "The squared gap between the empirical and the analytic CDF of the collided draws, integrated \
+(Cramer 1928, von Mises 1931). Shown only: it spends no error.",
+    details: "\
+```text
+W^2 = m int (F_m - u)^2 du,   u = F(t) / F(length)
+```
+Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
+Rejects: nothing; shown beside the others.
+Source:  Cramer (1928), von Mises (1931); p by Smirnov (1937), Csorgo and Faraway (1996).",
+    nulls: &["uniform"],
+    section: "cramer_von_mises",
+};
 
 /// Cramer-von Mises on u = F(t) / F(length) of the collided draws, over the fine cells: reported, not judged.
 ///
@@ -21,8 +35,8 @@ pub(super) const WORDS: &str = "The squared gap between the empirical and the an
 pub fn cramer_von_mises(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if let Some(why) = grouped::gate(law, m) {
-        return Evidence::withheld("cramer_von_mises", f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
     }
     let square: f64 = grouped::cells(law, tally, m).map(|cell| cell.square(m as f64, |_, _| 1.0)).sum();
-    Evidence::new("cramer_von_mises", square, None, cramer_von_mises_sf(m, square), reason).reported()
+    Evidence::new(TEST.name, square, None, cramer_von_mises_sf(m, square), reason).reported()
 }

@@ -1,13 +1,28 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
+use super::record::Test;
 use crate::evidence::{Evidence, POWER};
 use crate::law::Law;
 use crate::special::{normal_quantile, pearson_two_sided};
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Collisions against the optical depth that the draws travelled: the score of an extinction that is off by one \
-factor everywhere, which no other test sees as early. The note gives that factor.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "exposure",
+    words: "Collisions against the optical depth that the draws travelled: the score of an extinction that is off by one \
+factor everywhere, which no other test sees as early. The note gives that factor.",
+    details: "\
+```text
+Z = (m - sum tau_i) / (sd sqrt n),   tau_i the optical depth that draw i travelled;   m / sum tau_i estimates the factor
+```
+Gate:    1e5 expected collisions.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    an extinction that is off by one factor everywhere, before any other test: the optimal score.
+Source:  tail by Pearson's type III law (1895) with the exact skewness.",
+    nulls: &["uniform"],
+    section: "exposure",
+};
 
 /// Expected collisions from which on the score is tested: below, too large an error of the extinction would be needed.
 const LEAST_COLLISIONS: f64 = 1e5;
@@ -37,7 +52,7 @@ struct Exposure {
 /// 0.01 where the test is made. Withheld below 1e5 expected collisions.
 #[must_use]
 pub fn exposure(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
-    let (name, n) = ("exposure", tally.draws() as f64);
+    let (name, n) = (TEST.name, tally.draws() as f64);
     if !(n * law.collided() >= LEAST_COLLISIONS) && !law.collided().is_nan() {
         let why = format!("fewer than {LEAST_COLLISIONS:.0e} collisions are expected");
         return Evidence::withheld(name, f64::NAN, reason, why);

@@ -1,13 +1,27 @@
 use super::distance::{Among, Bracket, sup_distance};
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::ks_two_sided;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The largest gap between the empirical and the analytic CDF of the collided draws (Kolmogorov 1933), taken \
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "kolmogorov",
+    words: "The largest gap between the empirical and the analytic CDF of the collided draws (Kolmogorov 1933), taken \
 over the edges of the fine cells: never above the true D, so the p-value is valid and a few percent conservative. The note \
-brackets D.";
+brackets D.",
+    details: "\
+```text
+D = sup |F_m(u) - u| over the edges of the fine cells,   u = F(t) / F(length) of the m draws that collide
+```
+Gate:    at least one collision. Edges make the p-value a few percent conservative, never liberal.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Source:  Kolmogorov (1933); p by Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951).",
+    nulls: &["conservative"],
+    section: "kolmogorov",
+};
 
 /// Kolmogorov-Smirnov on u = F(t) / F(length) of the collided draws, which is independent of the escape atom.
 ///
@@ -18,13 +32,13 @@ brackets D.";
 pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if m == 0 {
-        return Evidence::withheld("kolmogorov", f64::NAN, reason, "no draw collided");
+        return Evidence::withheld(TEST.name, f64::NAN, reason, "no draw collided");
     }
     let Bracket { low, high } = sup_distance(law, tally, Among::Collided);
     let slack = 2.0 * law.slack() / law.collided(); // of F(t) and of F(length)
     let d = if low > slack { low - slack } else { 0.0 };
     let p = if low.is_nan() { f64::NAN } else { ks_two_sided(m, d) };
-    let evidence = Evidence::new("kolmogorov", low, None, p, reason).under(Null::Conservative);
+    let evidence = Evidence::new(TEST.name, low, None, p, reason).under(Null::Conservative);
     evidence.noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 

@@ -1,15 +1,41 @@
 use super::atom::standardised;
 use super::mean::gate;
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::{chi_square_sf, pearson_two_sided};
 use crate::tally::{CellTally, LAGS, LagTally, Scores};
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Neighbouring draws in drawing order are uncorrelated: the lag-1 product of their ranks under the law, with \
-its exact variance and skewness, beside what their own mean gives.";
+/// The record of the test at distance 1.
+pub(super) const TEST: Test = Test {
+    name: "lag_1",
+    words: "Neighbouring draws in drawing order are uncorrelated: the lag-1 product of their ranks under the law, with \
+its exact variance and skewness, beside what their own mean gives.",
+    details: "\
+```text
+Z = (sum s_i s_(i+1) - pairs mean(s)^2) / (var(s) sqrt(pairs)),   s = rank under the law - its mean
+```
+Gate:    1000 pairs, and a skewness of Z of at most 0.1: not where nearly all draws escape.
+Rejects: as dependent: rows in order of completion, a random number that is used twice.
+Source:  tail by Pearson's type III law (1895) with the exact skewness.",
+    nulls: &["uniform"],
+    section: "lag_1",
+};
 
-pub(super) const FURTHER: &str = "Draws two to eight places apart in drawing order are uncorrelated: the sum of the seven squared \
-standardised lag products is chi-square. One p-value for all, since a repeat of any period weighs in; the note names the worst lag.";
+/// The record of the test at distances 2 to 8.
+pub(super) const FURTHER: Test = Test {
+    name: "lag_2_to_8",
+    words: "Draws two to eight places apart in drawing order are uncorrelated: the sum of the seven squared \
+standardised lag products is chi-square. One p-value for all, since a repeat of any period weighs in; the note names the worst lag.",
+    details: "\
+```text
+X = sum_(h = 2..8) Z_h^2,   dof = 7,   Z_h as in lag_1 at a distance of h draws
+```
+Gate:    1000 pairs, and a skewness of each Z_h of at most 0.03.
+Rejects: as dependent: a repeat of any period up to 8; the note names the worst.",
+    nulls: &["uniform"],
+    section: "lag_2_to_8",
+};
 
 /// Fewest pairs: of 1000, as skew as the gate allows, p-values of 1e-7 come twice too often.
 const FEWEST_PAIRS: u64 = 2000;
@@ -35,7 +61,7 @@ pub fn lag_observed(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evi
 }
 
 fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew): (f64, f64)) -> Evidence {
-    let withheld = |z: f64, why: &str| Evidence::withheld("lag_1", z, Reason::Dependent, why);
+    let withheld = |z: f64, why: &str| Evidence::withheld(TEST.name, z, Reason::Dependent, why);
     if tally.pairs[0] < FEWEST_PAIRS {
         return withheld(f64::NAN, &format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
@@ -43,7 +69,7 @@ fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew):
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
     }
-    Evidence::new("lag_1", z, None, pearson_two_sided(skewness, z), Reason::Dependent)
+    Evidence::new(TEST.name, z, None, pearson_two_sided(skewness, z), Reason::Dependent)
 }
 
 /// Lags 2 to 8 together.
@@ -56,7 +82,7 @@ fn under(scores: &Scores, tally: &LagTally, cells: &CellTally, (variance, skew):
 /// a factor of 1.2 and more.
 #[must_use]
 pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
-    let name = "lag_2_to_8";
+    let name = FURTHER.name;
     let withheld = |why: &str| Evidence::withheld(name, f64::NAN, Reason::Dependent, why);
     if tally.pairs[LAGS - 1] < FEWEST_PAIRS {
         return withheld(&format!("fewer than {FEWEST_PAIRS} pairs of draws"));

@@ -1,10 +1,24 @@
 use super::chi_square::lessened;
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::special::student_t_two_sided;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The look-ups per draw, as the audit counted them block by block, have the mean that the method must have \
-(Student's t over block totals).";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "lookups",
+    words: "The look-ups per draw, as the audit counted them block by block, have the mean that the method must have \
+(Student's t over block totals).",
+    details: "\
+```text
+t = (mean block total - expected) / (sd / sqrt(blocks))
+p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
+```
+Gate:    20 blocks, and a variance of the total of 400 squared costs.
+Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.",
+    nulls: &["uniform", "conservative"],
+    section: "lookups",
+};
 
 /// Look-ups of each block, as integers: they merge in any order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,7 +73,7 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> E
     let (blocks, want) = (seen.blocks as f64, expected * rows as f64);
     let mean = seen.sum as f64 / blocks;
     let excess = lessened(mean - want, slack * rows as f64 + 1e-9 * (want + 1.0));
-    let evidence = |statistic, dof, p| Evidence::new("lookups", statistic, dof, p, Reason::WrongCost);
+    let evidence = |statistic, dof, p| Evidence::new(TEST.name, statistic, dof, p, Reason::WrongCost);
     let largest = 1.0 + (if mean > want { mean } else { want }) / rows as f64;
     let scatter = seen.squares * u128::from(seen.blocks) - seen.sum * seen.sum;
     if scatter == 0 && (excess == 0.0 || seen.steady(rows)) {
@@ -68,7 +82,7 @@ pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> E
     let variance = scatter as f64 / (blocks * (blocks - 1.0));
     if seen.blocks < FEWEST_BLOCKS || !(blocks * variance >= LEAST_VARIANCE * largest * largest) {
         let why = "fewer than 20 blocks, or too few draws whose cost differs";
-        return Evidence::withheld("lookups", excess, Reason::WrongCost, why);
+        return Evidence::withheld(TEST.name, excess, Reason::WrongCost, why);
     }
     let t = excess / (variance / blocks).sqrt();
     evidence(t, Some(blocks - 1.0), student_t_two_sided(blocks - 1.0, t))

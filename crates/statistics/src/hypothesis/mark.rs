@@ -1,11 +1,24 @@
 use super::chi_square::least_expected;
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::MarkTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The mark that a sampler gives with each distance, such as the cosine of the direction it started in, is \
-uniform and independent of the distance: a table of 16 x 16 groups.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "mark",
+    words: "The mark that a sampler gives with each distance, such as the cosine of the direction it started in, is \
+uniform and independent of the distance: a table of 16 x 16 groups.",
+    details: "\
+```text
+X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 rows,   R_a draws in group a of the distance
+```
+Gate:    groups of the distance are joined until each cell expects 50 draws, or more if there are few.
+Rejects: as dependent: a direction and a flight from one random number, each right by itself.",
+    nulls: &["uniform"],
+    section: "mark",
+};
 
 /// Marks given distances.
 ///
@@ -24,11 +37,11 @@ pub fn mark(tally: &MarkTally) -> Evidence {
         !rows.is_empty() && rows.iter().all(|row| share(row) >= least_expected(rows.len() * columns))
     };
     let Some(rows) = tables.into_iter().find(enough) else {
-        return Evidence::withheld("mark", f64::NAN, Reason::Dependent, "too few marked draws");
+        return Evidence::withheld(TEST.name, f64::NAN, Reason::Dependent, "too few marked draws");
     };
     let statistic: f64 = rows.iter().map(|row| of_row(row)).sum();
     let dof = (rows.len() * (columns - 1)) as f64;
-    Evidence::new("mark", statistic, Some(dof), chi_square_sf(dof, statistic), Reason::Dependent)
+    Evidence::new(TEST.name, statistic, Some(dof), chi_square_sf(dof, statistic), Reason::Dependent)
 }
 
 fn of_row(row: &[u64]) -> f64 {

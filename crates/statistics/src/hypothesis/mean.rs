@@ -2,6 +2,7 @@ use super::atom::{binomial_null, nearest, standardised};
 use super::chi_square::lessened;
 use super::doubt::{doubt, withheld};
 use super::mean_claim::MeanClaim;
+use super::record::Test;
 use crate::evidence::{Evidence, Null, POWER, REPORTING_LEVEL};
 use crate::larger::larger;
 use crate::special::{
@@ -10,8 +11,27 @@ use crate::special::{
 use crate::tally::PowerSums;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The mean against its truth: exact binomial for 0/1; Student's t where skewness, tail and hits allow it, Hall's \
-skewness-corrected statistic where they allow that; empirical Bernstein for bounded draws; otherwise no p-value.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "mean",
+    words: "The mean against its truth: exact binomial for 0/1; Student's t where skewness, tail and hits allow it, Hall's \
+skewness-corrected statistic where they allow that; empirical Bernstein for bounded draws; otherwise no p-value.",
+    details: "\
+```text
+binomial            p exact, draws of 0 and 1
+exact               p = 1 if equal to 1e-12 and the slack, else 0; draws without noise
+student_t           t = (mean - T) / (sd / sqrt n)
+skewness_corrected  g(U) = U + s U^2 / 3 + s^2 U^3 / 27 + s / (6 n),   U = t / sqrt n
+empirical_bernstein |mean - T| = sqrt(2 V L / n) + 7 R L / (3 (n - 1)),   L = ln(4 / p)
+```
+Gate:    student_t at |skewness| <= 0.03 sqrt n, skewness_corrected at 0.1 sqrt n, neither with fewer than 100 draws other
+         than 0, a Pareto shape of 1/2 or more, one draw of more than 5 % of the sum, or a variance of the variance of 0.1;
+         empirical_bernstein within a claimed range; else withheld as heavy_tail, rare_event or not_enough_draws.
+Rejects: as biased. Weights of channels are `scatter_0`, `surface_0`, `scatter_0_bin_3`, and so on.
+Source:  Clopper and Pearson (1934), Hall (1992), Maurer and Pontil (2009).",
+    nulls: &["uniform", "discrete", "conservative"],
+    section: "mean",
+};
 
 /// Which interval and test the draws allow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,27 @@
 use super::chi_square::lessened;
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Neyman's smooth test (1937) with 16 components: Legendre moments of the collided draws' ranks. It sees \
-smooth and boundary errors better than cells do; the note names the largest component.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "neyman_16",
+    words: "Neyman's smooth test (1937) with 16 components: Legendre moments of the collided draws' ranks. It sees \
+smooth and boundary errors better than cells do; the note names the largest component.",
+    details: "\
+```text
+N = sum_(j <= 16) S_j^2,   S_j = sum_i sqrt(2 j + 1) P_j(2 u_i - 1) / sqrt(m),   dof = 16
+```
+Gate:    10,000 collisions.
+Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
+Sees:    smooth errors, and errors at the ends; the note names the largest component.
+Source:  Neyman (1937).",
+    nulls: &["uniform", "conservative"],
+    section: "neyman_16",
+};
 
 /// Components.
 const ORDER: usize = 16;
@@ -28,7 +43,7 @@ const FINE: f64 = 1024.0;
 /// law's slack can do.
 #[must_use]
 pub fn neyman(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
-    let (name, m) = ("neyman_16", tally.collided());
+    let (name, m) = (TEST.name, tally.collided());
     if m < LEAST_COLLISIONS {
         let why = format!("fewer than {LEAST_COLLISIONS} collisions");
         return Evidence::withheld(name, f64::NAN, reason, why);

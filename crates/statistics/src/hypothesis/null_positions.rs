@@ -1,11 +1,25 @@
 use super::chi_square::least_expected;
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::NullTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Real against tentative collisions of delta tracking, along the ray: of the look-ups that the audit saw in a \
-group of distances, each was to be accepted with probability mu / mu_bar at that very place. Asked of the first blocks.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "null_positions",
+    words: "Real against tentative collisions of delta tracking, along the ray: of the look-ups that the audit saw in a \
+group of distances, each was to be accepted with probability mu / mu_bar at that very place. Asked of the first blocks.",
+    details: "\
+```text
+X = sum_j (m_j - sum p_i)^2 / sum p_i (1 - p_i),   p_i = mu(t_i) / mu_bar(t_i) at look-up i in group j
+```
+Gate:    neighbouring groups are joined until the variance of each is 50, or 800 over their number.
+Rejects: as wrong_law: an acceptance that does not use mu / mu_bar at the very place of the look-up.
+Source:  each acceptance is a coin of known probability, whatever came before: a martingale.",
+    nulls: &["uniform"],
+    section: "null_positions",
+};
 
 /// Collisions given the look-ups.
 ///
@@ -27,11 +41,11 @@ pub fn null_positions(tally: &NullTally) -> Evidence {
     };
     let Some(table) = tables.into_iter().find(enough) else {
         let why = "hardly any tentative collision could be real or null";
-        return Evidence::withheld("null_positions", f64::NAN, Reason::WrongLaw, why);
+        return Evidence::withheld(TEST.name, f64::NAN, Reason::WrongLaw, why);
     };
     let statistic: f64 = table.iter().map(|group| group.excess * group.excess / group.variance).sum();
     let dof = table.len() as f64;
-    Evidence::new("null_positions", statistic, Some(dof), chi_square_sf(dof, statistic), Reason::WrongLaw)
+    Evidence::new(TEST.name, statistic, Some(dof), chi_square_sf(dof, statistic), Reason::WrongLaw)
 }
 
 #[derive(Clone, Copy, Default)]

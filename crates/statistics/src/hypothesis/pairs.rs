@@ -1,10 +1,24 @@
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::{LagTally, RANK_GROUPS};
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "A table of neighbouring draws, 16 x 16 groups of equal probability under the law with escapes: rows and \
-columns are independent. It sees dependence that leaves no correlation, such as a reused uniform that was folded.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "pairs_16",
+    words: "A table of neighbouring draws, 16 x 16 groups of equal probability under the law with escapes: rows and \
+columns are independent. It sees dependence that leaves no correlation, such as a reused uniform that was folded.",
+    details: "\
+```text
+X = sum (O_ab - R_a C_b / N)^2 / (R_a C_b / N),   dof = (k - 1)^2,   R, C the sums of rows and columns
+```
+Gate:    neighbouring groups are joined until each cell expects 50 pairs, or more if there are few.
+Rejects: as dependent: dependence that leaves no correlation, such as a reused uniform that was folded.
+Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep the chi-square law.",
+    nulls: &["uniform"],
+    section: "pairs_16",
+};
 
 /// Independence of consecutive draws, over all overlapping pairs.
 ///
@@ -19,7 +33,7 @@ columns are independent. It sees dependence that leaves no correlation, such as 
 /// which the test is made.
 #[must_use]
 pub fn pairs(tally: &LagTally) -> Evidence {
-    let name = "pairs_16";
+    let name = TEST.name;
     let total: u64 = tally.neighbours.as_flattened().iter().sum();
     let tables = [50.0, 100.0, 200.0, 400.0].map(|least| joined(tally, (least * total as f64).sqrt()));
     let enough = |table: &Vec<Vec<f64>>| {

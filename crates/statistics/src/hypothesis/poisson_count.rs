@@ -1,18 +1,32 @@
 use super::chi_square::{least_expected, residual};
+use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
 use crate::tally::CountTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The tentative collisions of a walk that never stops are Poisson with the integral of the rate as mean; \
-chi-square over the counts.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "poisson_count",
+    words: "The tentative collisions of a walk that never stops are Poisson with the integral of the rate as mean; \
+chi-square over the counts.",
+    details: "\
+```text
+P(N = n) = L^n exp(-L) / n!,   L = int mu_bar
+```
+Gate:    neighbouring counts are pooled until each expects 50 draws, or more if there are few.
+Rejects: as wrong_cost: a walk under another majorant, or one that stops early.
+Source:  Pearson (1900) for the statistic.",
+    nulls: &["uniform"],
+    section: "poisson_count",
+};
 
 /// The Poisson law of the number of tentative collisions, each probability known up to `slack`.
 #[must_use]
 pub fn poisson_count(tally: &CountTally, mean: f64, slack: f64) -> Evidence {
     let observed: Vec<u64> = (0..tally.rows()).map(|n| tally.count(n, 0)).collect();
     let expected = pmf(mean, tally.rows());
-    pooled("poisson_count", &observed, &expected, slack, Reason::WrongCost)
+    pooled(TEST.name, &observed, &expected, slack, Reason::WrongCost)
 }
 
 /// Poisson probabilities of 0, 1, .. ; the last holds the whole tail.

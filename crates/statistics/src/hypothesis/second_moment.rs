@@ -1,13 +1,27 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
 use super::mean::gate;
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The mean of the squared estimates against its formula, with the standard error from the exact fourth moment and \
-the skewness from the sixth: a weight with the right mean and the wrong spread shows here.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "second_moment",
+    words: "The mean of the squared estimates against its formula, with the standard error from the exact fourth moment and \
+the skewness from the sixth: a weight with the right mean and the wrong spread shows here.",
+    details: "\
+```text
+z = (mean X^2 - m2) / sqrt((m4 - m2^2) / n),   m2, m4, m6 by formula, never from the sample
+```
+Gate:    a skewness of X^2 (from m6) of at most 0.1 sqrt n.
+Rejects: as wrong_variance: right mean, wrong spread.
+Source:  tail by Pearson's type III law (1895) with the exact skewness.",
+    nulls: &["uniform", "conservative"],
+    section: "second_moment",
+};
 
 /// How good the formulas of the moments are, relative to them.
 const FORMULA: f64 = 1e-10;

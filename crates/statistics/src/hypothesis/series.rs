@@ -1,12 +1,25 @@
 use super::atom::atom;
 use super::chi_square::chi_square;
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "The ray cut in two: a draw that escapes the first part goes on in the second with the same generator, and \
-the whole distance follows the whole law. State or a uniform that is used again across the boundary shows here alone. Not asked of a sampler that never looks mu up.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "series",
+    words: "The ray cut in two: a draw that escapes the first part goes on in the second with the same generator, and \
+the whole distance follows the whole law. State or a uniform that is used again across the boundary shows here alone. Not asked of a sampler that never looks mu up.",
+    details: "\
+```text
+T(0, d) = T(0, s) T(s, d):   p = min(1, 2 min(p of the atom, p of 16 cells))
+```
+Gate:    as atom and chi_square_16.
+Rejects: as wrong_law: a uniform or a state that is used again across a boundary, where each part alone is exact.",
+    nulls: &["conservative"],
+    section: "series",
+};
 
 /// The law of a ray in two parts, T(0, d) = T(0, s) T(s, d), by the escape atom and 16 cells.
 ///
@@ -16,14 +29,14 @@ the whole distance follows the whole law. State or a uniform that is used again 
 #[must_use]
 pub fn series(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let escapes = atom(tally.draws(), tally.escapes, law.atom(), law.slack(), reason);
-    let cells = chi_square("series", law, tally, 16, reason);
+    let cells = chi_square(TEST.name, law, tally, 16, reason);
     let worse = match (escapes.p, cells.p) {
         (Some(a), Some(b)) if !(a >= b) => escapes,
         (_, None) => return Evidence { name: "series".into(), ..escapes }.under(Null::Conservative),
         _ => cells,
     };
     let p = worse.p.map_or(f64::NAN, |p| if p > 0.5 { 1.0 } else { 2.0 * p });
-    Evidence::new("series", worse.statistic, worse.dof, p, reason).noted(worse.note).under(Null::Conservative)
+    Evidence::new(TEST.name, worse.statistic, worse.dof, p, reason).noted(worse.note).under(Null::Conservative)
 }
 
 #[cfg(test)]

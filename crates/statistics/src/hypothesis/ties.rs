@@ -1,11 +1,25 @@
+use super::record::Test;
 use crate::evidence::{Evidence, Null};
 use crate::law::Law;
 use crate::special::poisson_sf;
 use crate::tally::TieTally;
 use freepath_results::Reason;
 
-pub(super) const WORDS: &str = "Equal values among the draws: at the declared resolution almost none are expected, so repeated, quantised or \
-clamped draws stand out. Looked for in a share of all values, chosen by value, and in all of the first draws.";
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "ties",
+    words: "Equal values among the draws: at the declared resolution almost none are expected, so repeated, quantised or \
+clamped draws stand out. Looked for in a share of all values, chosen by value, and in all of the first draws.",
+    details: "\
+```text
+pairs ~ Poisson(share m (m - 1) / 2 x pair),   one-sided,   pair = P(two draws are equal at the declared resolution)
+```
+Gate:    made only where the law is continuous and independence is claimed.
+Rejects: as dependent: copied streams, repeated rows, quantised or clamped distances. Draws in single precision must
+         declare `resolution_bits` 24.",
+    nulls: &["conservative"],
+    section: "ties",
+};
 
 /// Ties among `collided` draws, with `pair` the probability that two draws are equal at the declared resolution.
 ///
@@ -26,7 +40,7 @@ pub fn ties(tally: &TieTally, collided: u64, pair: f64) -> Evidence {
     let first = of(first, held, 1.0);
     let (p, pairs) = if !(all.0 >= first.0) { all } else { first };
     let p = if p > 0.5 { 1.0 } else { 2.0 * p };
-    Evidence::new("ties", pairs as f64, None, p, Reason::Dependent).under(Null::Conservative)
+    Evidence::new(TEST.name, pairs as f64, None, p, Reason::Dependent).under(Null::Conservative)
 }
 
 /// A bound on the probability that two collided draws are equal, for uniforms of `bits` bits: equal uniforms, or values

@@ -1,0 +1,96 @@
+use super::record::Test;
+use super::{
+    agree, anderson_darling, atom, berk_jones, chi_square, coleman, cramer_von_mises, exposure, growth,
+    kolmogorov, kuiper, lag, lookups, mark, mean, neyman, null_positions, pairs, pdf_integral, poisson_count,
+    second_moment, series, ties,
+};
+
+/// Every test, in the order in which they are told.
+pub const TESTS: &[Test] = &[
+    atom::TEST,
+    chi_square::TESTS[0],
+    chi_square::TESTS[1],
+    chi_square::TESTS[2],
+    kolmogorov::TEST,
+    exposure::TEST,
+    neyman::TEST,
+    anderson_darling::TEST,
+    cramer_von_mises::TEST,
+    kuiper::TEST,
+    berk_jones::TEST,
+    coleman::TEST,
+    poisson_count::TEST,
+    ties::TEST,
+    lag::TEST,
+    lag::FURTHER,
+    pairs::TEST,
+    null_positions::TEST,
+    series::TEST,
+    mark::TEST,
+    mean::TEST,
+    growth::TEST,
+    second_moment::TEST,
+    lookups::TEST,
+    agree::TESTS[0],
+    agree::TESTS[1],
+    agree::TESTS[2],
+    agree::TESTS[3],
+    pdf_integral::TEST,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::TESTS;
+    use crate::Null;
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn every_file_of_a_test_has_its_records_in_the_list() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/hypothesis");
+        let mut missing = Vec::new();
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let module = path.file_stem().unwrap().to_string_lossy().into_owned();
+            let text = fs::read_to_string(path.with_extension("rs")).unwrap();
+            let own = text.split("#[cfg(test)]").next().unwrap_or_default();
+            let tests = own.contains("\npub fn ") && own.contains("-> Evidence");
+            let name = TESTS.iter().any(|test| own.contains(&format!("\"{}\"", test.name)));
+            if tests && !name {
+                missing.push(format!("hypothesis/{module}.rs has no TEST in hypothesis/list.rs"));
+            }
+        }
+        assert!(missing.is_empty(), "{missing:?}");
+    }
+
+    #[test]
+    fn every_record_is_whole_and_of_one_test() {
+        let missing = TESTS.iter().flat_map(|test| {
+            let twice = TESTS.iter().filter(|other| other.name == test.name).count() != 1;
+            let words = test.words.is_empty() || test.details.is_empty();
+            let faults =
+                [(twice, "a name of its own"), (words, "words and details"), (test.nulls.is_empty(), "nulls")];
+            faults.into_iter().filter(|(fault, _)| *fault).map(|(_, what)| format!("{} lacks {what}", test.name))
+        });
+        assert_eq!(missing.collect::<Vec<_>>(), [] as [String; 0]);
+    }
+
+    #[test]
+    fn every_null_is_known() {
+        let known = [Null::Uniform, Null::Discrete { below: 0.0, up_to: 1.0 }, Null::Conservative].map(Null::name);
+        let nulls = TESTS.iter().flat_map(|test| test.nulls.iter().map(move |null| (test.name, null)));
+        let unknown: Vec<_> = nulls.filter(|(_, null)| !known.contains(null)).collect();
+        assert!(unknown.is_empty(), "nobody knows {unknown:?}");
+    }
+
+    #[test]
+    fn every_section_stands_in_the_page() {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/statistics.md");
+        let page = fs::read_to_string(page).unwrap();
+        let anchor = |heading: &str| heading.replace(['`', ','], "").replace(' ', "-");
+        let sections: Vec<_> = page.lines().filter_map(|line| line.strip_prefix("### ")).map(anchor).collect();
+        let missing: Vec<_> =
+            TESTS.iter().filter(|test| !sections.iter().any(|one| one == test.section)).collect();
+        assert!(missing.is_empty(), "no section of {missing:?}");
+    }
+}

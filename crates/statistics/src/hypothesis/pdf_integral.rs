@@ -1,0 +1,37 @@
+use super::record::Test;
+use crate::evidence::{Evidence, Null};
+use freepath_results::Reason;
+
+/// The test's record.
+pub(super) const TEST: Test = Test {
+    name: "pdf_integral",
+    words: "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",
+    details: "\
+```text
+int_0^length pdf + P(surface) = 1, to 1e-9
+```
+Gate:    none: there is no noise, and p is 1 or 0.
+Rejects: as wrong_law.",
+    nulls: &["conservative"],
+    section: "pdf_integral",
+};
+
+/// A density whose integral over the ray and the end is `integral` is one: an identity without noise.
+#[must_use]
+pub fn pdf_integral(integral: f64) -> Evidence {
+    let p = f64::from(u8::from((integral - 1.0).abs() <= 1e-9));
+    Evidence::new(TEST.name, integral - 1.0, None, p, Reason::WrongLaw).under(Null::Conservative)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_density_that_is_none_or_nan_rejects() {
+        assert_eq!(
+            [1.0, 1.0 + 1e-8, f64::NAN].map(|integral| pdf_integral(integral).p),
+            [Some(1.0), Some(0.0), Some(0.0)]
+        );
+    }
+}

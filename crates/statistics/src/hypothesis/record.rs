@@ -1,0 +1,14 @@
+/// What identifies a test, in the test's own file: all that is told of it elsewhere is read here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Test {
+    /// Its name in results.
+    pub name: &'static str,
+    /// What it looks at: the first sentence of all that is told.
+    pub words: &'static str,
+    /// Formula, gate, what a rejection means, what it sees, and its source.
+    pub details: &'static str,
+    /// Which laws its p-values may have where its claim holds, by [`Null::name`](crate::evidence::Null::name).
+    pub nulls: &'static [&'static str],
+    /// Its section of `docs/statistics.md`, as a link has it.
+    pub section: &'static str,
+}
