@@ -1,7 +1,7 @@
 //! A callback as a sampler and as an estimator.
 
-use crate::medium::fp_medium;
-use crate::rng::fp_rng;
+use super::medium::fp_medium;
+use super::rng::fp_rng;
 use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator};
 use rand::Rng;

@@ -1,9 +1,9 @@
 //! The verdict on a callback.
 
-use crate::callback::Callback;
-use crate::fp_sample;
-use crate::message::{get, put};
-use freepath_harness::assert::{Effort, verify};
+use super::callback::Callback;
+use super::fp_sample;
+use super::message::{get, put};
+use freepath::{Effort, verify};
 use freepath_harness::case::{CaseFile, Limits};
 use freepath_harness::experiment::{Experiment, InScene};
 use freepath_harness::kind::{FreePathKind, Ray, Transmittance};

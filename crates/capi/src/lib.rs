@@ -4,6 +4,8 @@
 #![allow(unsafe_code, reason = "the border to C is made of pointers")]
 #![allow(non_camel_case_types, reason = "the names of the header")]
 
+#[cfg(test)]
+mod border;
 mod callback;
 mod check;
 mod medium;

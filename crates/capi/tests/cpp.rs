@@ -7,9 +7,9 @@ mod tools;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The folder of the libraries that belong to this test.
+/// The folder of the libraries that belong to this test: beside `deps`, where the test is.
 fn libraries() -> PathBuf {
-    std::env::current_exe().unwrap().parent().unwrap().to_path_buf()
+    std::env::current_exe().unwrap().parent().unwrap().parent().unwrap().join("examples")
 }
 
 fn built(name: &str, link: &[&str]) -> PathBuf {

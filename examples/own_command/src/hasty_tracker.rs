@@ -1,5 +1,5 @@
 use crate::my_tracker::greatest;
-use freepath_estimators::{Extinction, FreePath, FreePathSampler};
+use freepath::{Extinction, FreePath, FreePathSampler};
 use rand::{Rng, RngExt};
 use serde::{Deserialize, Serialize};
 

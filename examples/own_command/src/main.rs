@@ -4,7 +4,7 @@ mod hasty_tracker;
 mod my_ratio;
 mod my_tracker;
 
-use freepath_estimators::{FreePathSampler, TransmittanceEstimator, list};
+use freepath::{FreePathSampler, TransmittanceEstimator, list};
 use std::process::ExitCode;
 
 list! {

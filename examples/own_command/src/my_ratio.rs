@@ -1,5 +1,5 @@
 use crate::my_tracker::greatest;
-use freepath_estimators::{Extinction, TransmittanceEstimator};
+use freepath::{Extinction, TransmittanceEstimator};
 use rand::{Rng, RngExt};
 use serde::{Deserialize, Serialize};
 

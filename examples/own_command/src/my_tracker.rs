@@ -1,5 +1,5 @@
-use freepath_estimators::parameter::require;
-use freepath_estimators::{Capability, Extinction, FreePath, FreePathSampler, ParameterError};
+use freepath::parameter::require;
+use freepath::{Capability, Extinction, FreePath, FreePathSampler, ParameterError};
 use rand::{Rng, RngExt};
 use serde::{Deserialize, Serialize};
 

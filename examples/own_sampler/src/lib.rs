@@ -1,6 +1,6 @@
 //! A medium, a free-path sampler and a transmittance estimator of one's own: what a renderer would bring.
 
-use freepath_estimators::{Extinction, FreePath, FreePathSampler, Majorants, Medium, TransmittanceEstimator};
+use freepath::{Extinction, FreePath, FreePathSampler, Majorants, Medium, TransmittanceEstimator};
 use rand::{Rng, RngExt};
 
 /// A layer whose extinction falls like 1 / (1 + t / a)^2.

@@ -1,9 +1,8 @@
 //! One line for each claim.
 
-use freepath_estimators::claims::Channel;
-use freepath_estimators::medium::Chromatic;
-use freepath_estimators::{ChromaticSampler, Extinction};
-use freepath_harness::{assert_chromatic, assert_free_path, assert_transmittance};
+use freepath::claims::Channel;
+use freepath::medium::Chromatic;
+use freepath::{ChromaticSampler, Extinction, assert_chromatic, assert_free_path, assert_transmittance};
 use own_sampler::{Layer, MyRatio, MyTracker};
 use rand::{Rng, RngExt};
 

@@ -1,12 +1,12 @@
 //! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
 
-use crate::collect::{Collected, Stopped, Watch, observe};
-use crate::experiment::{Experiment, InScene, Plan};
-use crate::kind::{Chromatic, FreePathKind, Ray, Transmittance};
-use crate::noiseless;
-use crate::subject::{Route, Subject};
 use freepath_estimators::medium;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
+use freepath_harness::collect::{Collected, Stopped, Watch, observe};
+use freepath_harness::experiment::{Experiment, InScene, Plan};
+use freepath_harness::kind::{Chromatic, FreePathKind, Ray, Transmittance};
+use freepath_harness::noiseless;
+use freepath_harness::subject::{Route, Subject};
 use freepath_results::Verdict;
 use freepath_statistics::Judged;
 use freepath_statistics::decide::{Decision, Stage, adjust, decide, suspect};

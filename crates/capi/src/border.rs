@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "the tests are the caller from C")]
 #![allow(clippy::disallowed_methods, reason = "as a caller would write it")]
 
-use freepath::{
+use super::{
     fp_check_free_path, fp_check_transmittance, fp_default_options, fp_length, fp_majorant, fp_medium, fp_mu,
     fp_options, fp_rng, fp_sample, fp_segment_end, fp_segments, fp_uniform, fp_verdict, fp_word,
 };
