@@ -6,7 +6,7 @@ mod syntax;
 use super::numeric::Numeric;
 use crate::medium::{Built, Describe, Surroundings};
 use crate::parameter::{self, ParameterError};
-use expression::Expression;
+pub(crate) use expression::Expression;
 use std::sync::Arc;
 
 /// Extinction by a formula in t.
@@ -49,7 +49,8 @@ impl TryFrom<Parameters> for Formula {
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
         parameter::positive("length", parameters.length)?;
         parameter::not_negative("majorant", parameters.majorant)?;
-        let expression = Expression::new(&parameters.mu).map_err(|why| ParameterError::unusable("mu", why))?;
+        let expression =
+            Expression::new(&parameters.mu, "t").map_err(|why| ParameterError::unusable("mu", why))?;
         Ok(Self { parameters, expression })
     }
 }

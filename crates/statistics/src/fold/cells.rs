@@ -5,10 +5,28 @@ use crate::tally::CellTally;
 use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
-/// Counts of one column in the fine cells of a law; the cell of each row is left for other folds.
+/// The numbers of the rows that follow a law.
+#[derive(Clone)]
+pub enum Values {
+    /// Those of a column.
+    Column(&'static str),
+    /// What becomes of columns, row by row: a rank, whose law is uniform wherever theirs is continuous.
+    Rank(Rank),
+}
+
+/// A number made of the columns of a row.
+#[derive(Clone)]
+pub struct Rank {
+    /// The columns.
+    pub columns: &'static [&'static str],
+    /// What becomes of them, in their order.
+    pub of: Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>,
+}
+
+/// Counts of numbers in the fine cells of a law; the cell of each row is left for other folds.
 pub struct Cells {
-    /// The column.
-    pub column: &'static str,
+    /// The numbers.
+    pub values: Values,
     /// The law whose cells they are.
     pub law: Arc<Law>,
     /// Where the cells of the rows are left.
@@ -30,7 +48,23 @@ impl Fold for Cells {
     }
     fn no_sums(&self) {}
     fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut CellTally) -> Result<(), MissingColumn> {
-        counts.observe(&self.law, block.f64(self.column)?, scratch.cells_mut(self.index));
+        let index = scratch.cells_mut(self.index);
+        match &self.values {
+            Values::Column(column) => counts.observe(&self.law, block.f64(column)?, index),
+            Values::Rank(rank) => counts.observe(&self.law, &rank.column(block)?, index),
+        }
         Ok(())
+    }
+}
+
+impl Rank {
+    fn column(&self, block: &Block) -> Result<Vec<f64>, MissingColumn> {
+        let columns: Vec<&[f64]> = self.columns.iter().map(|name| block.f64(name)).collect::<Result<_, _>>()?;
+        let mut row = vec![0.0; columns.len()];
+        let rank = |i: usize| {
+            row.iter_mut().zip(&columns).for_each(|(number, column)| *number = column[i]);
+            (self.of)(&row)
+        };
+        Ok((0..block.draws.rows()).map(rank).collect())
     }
 }

@@ -4,9 +4,9 @@ use super::syntax::Parser;
 /// The longest text that is read.
 const LONGEST: usize = 4096;
 
-/// A formula in t, ready to be evaluated.
+/// A formula in one variable, ready to be evaluated.
 #[derive(Clone, Debug)]
-pub(super) struct Expression {
+pub(crate) struct Expression {
     text: String,
     steps: Vec<Step>,
 }
@@ -19,25 +19,25 @@ impl PartialEq for Expression {
 }
 
 impl Expression {
-    /// Reads `text`.
+    /// Reads `text`, a formula in `variable`.
     ///
     /// # Errors
     /// With the column and what is allowed there.
-    pub(super) fn new(text: &str) -> Result<Self, String> {
+    pub(crate) fn new(text: &str, variable: &str) -> Result<Self, String> {
         if text.len() > LONGEST {
             return Err(format!("the formula has {} bytes (at most {LONGEST})", text.len()));
         }
-        Ok(Self { text: text.into(), steps: Parser::new(text).all()? })
+        Ok(Self { text: text.into(), steps: Parser::new(text, variable).all()? })
     }
 
-    /// Its value at `t`.
+    /// Its value where the variable is `t`.
     #[inline(always)]
-    pub(super) fn at(&self, t: f64) -> f64 {
+    pub(crate) fn at(&self, t: f64) -> f64 {
         let (mut stack, mut top) = ([0.0; DEEPEST], 0);
         for step in &self.steps {
             match *step {
                 Step::Number(x) => (stack[top], top) = (x, top + 1),
-                Step::T => (stack[top], top) = (t, top + 1),
+                Step::Variable => (stack[top], top) = (t, top + 1),
                 Step::One(f) => stack[top - 1] = f(stack[top - 1]),
                 Step::Two(f) => (stack[top - 2], top) = (f(stack[top - 2], stack[top - 1]), top - 1),
             }
@@ -52,11 +52,11 @@ mod tests {
     use proptest::prelude::*;
 
     fn value(text: &str, t: f64) -> f64 {
-        Expression::new(text).unwrap().at(t)
+        Expression::new(text, "t").unwrap().at(t)
     }
 
     fn refusal(text: &str) -> String {
-        Expression::new(text).unwrap_err()
+        Expression::new(text, "t").unwrap_err()
     }
 
     #[test]
@@ -104,7 +104,7 @@ mod tests {
     proptest! {
         #[test]
         fn any_text_is_read_or_refused(text in "[t0-9piexpsinmax+*/^(), .e-]{0,200}|\\PC{0,60}") {
-            if let Ok(expression) = Expression::new(&text) {
+            if let Ok(expression) = Expression::new(&text, "t") {
                 let _ = expression.at(0.7);
             }
         }

@@ -48,7 +48,7 @@ fn step(edge: f64, x: f64) -> f64 {
 }
 
 /// Every name that a formula may use.
-pub(super) fn names() -> String {
+pub(super) fn names(variable: &str) -> String {
     let functions = ONE.iter().map(|(name, _)| *name).chain(TWO.iter().map(|(name, _)| *name));
-    ["t", "pi"].into_iter().chain(functions).collect::<Vec<_>>().join(", ")
+    [variable, "pi"].into_iter().chain(functions).collect::<Vec<_>>().join(", ")
 }

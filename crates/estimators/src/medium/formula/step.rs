@@ -7,7 +7,7 @@ pub(super) const DEEPEST: usize = 64;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Step {
     Number(f64),
-    T,
+    Variable,
     One(One),
     Two(Two),
 }

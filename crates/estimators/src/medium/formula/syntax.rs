@@ -10,6 +10,7 @@ const NESTED: usize = DEEPEST / 4;
 /// depend on the machine.
 pub(super) struct Parser<'a> {
     text: &'a str,
+    variable: &'a str,
     at: usize,
     depth: usize,
     steps: Vec<Step>,
@@ -22,8 +23,8 @@ const SIGN: u8 = 3;
 const POWER: u8 = 4;
 
 impl<'a> Parser<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
-        Self { text, at: 0, depth: 0, steps: Vec::new() }
+    pub(super) fn new(text: &'a str, variable: &'a str) -> Self {
+        Self { text, variable, at: 0, depth: 0, steps: Vec::new() }
     }
 
     /// The whole text as one formula.
@@ -85,7 +86,10 @@ impl<'a> Parser<'a> {
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.name(),
-            _ => Err(self.wrong("a value is missing", " (a number, t, pi, a function or a bracket)")),
+            _ => {
+                let allowed = format!(" (a number, {}, pi, a function or a bracket)", self.variable);
+                Err(self.wrong("a value is missing", &allowed))
+            }
         }
     }
 
@@ -109,11 +113,11 @@ impl<'a> Parser<'a> {
         let name = &rest[..end];
         let (one, two) = (ONE.iter().find(|(n, _)| *n == name), TWO.iter().find(|(n, _)| *n == name));
         let (step, arguments) = match (name, one, two) {
-            ("t", ..) => (Step::T, 0),
+            (name, ..) if name == self.variable => (Step::Variable, 0),
             ("pi", ..) => (Step::Number(std::f64::consts::PI), 0),
             (_, Some((_, f)), _) => (Step::One(*f), 1),
             (_, _, Some((_, f))) => (Step::Two(*f), 2),
-            _ => return Err(self.wrong(format!("unknown name `{name}`"), &format!(" ({})", names()))),
+            _ => return Err(self.wrong(format!("unknown name `{name}`"), &format!(" ({})", names(self.variable)))),
         };
         self.at += end;
         if arguments > 0 {

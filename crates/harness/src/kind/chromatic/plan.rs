@@ -11,7 +11,7 @@ use freepath_statistics::claim::{
     BerkJonesClaim, Claims, EnoughRows, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim,
     Withdrawal,
 };
-use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Ties};
+use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Ties, Values};
 use freepath_statistics::hypothesis::pair_probability;
 use freepath_statistics::Law;
 use freepath_statistics::tally::Scores;
@@ -58,7 +58,7 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
     let law = Arc::new(Law::new(medium.length(), terms.tolerance, &survival));
     let (length, known, reason) = (medium.length(), terms.stands(Withdrawal::Truth), Reason::WrongLaw);
     let index = claims.folds.cell_index();
-    let cells = claims.folds.add(Cells { column: T, law: law.clone(), index });
+    let cells = claims.folds.add(Cells { values: Values::Column(T), law: law.clone(), index });
     claims.push(Path { column: T, length, cells });
     if known {
         let (breaks, own, order, grows) = (Vec::new(), None, None, false);

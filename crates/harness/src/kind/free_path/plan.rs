@@ -12,7 +12,7 @@ use freepath_statistics::claim::{
     UnitWeightClaim, Vacuum, Withdrawal,
 };
 use freepath_statistics::fold::{
-    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Ties, UnitWeight,
+    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Ties, UnitWeight, Values,
 };
 use freepath_statistics::hypothesis::pair_probability;
 use freepath_statistics::Law;
@@ -95,7 +95,7 @@ impl<'a, 'b> Builder<'a, 'b> {
     fn new(ray: Ray<'a>, source: &'b Source<'a, FreePathKind>, terms: &'b Terms<'b>) -> Self {
         let (said, laws, mut claims) = (said(ray, source), Laws::of(ray, source, terms), Claims::default());
         let index = claims.folds.cell_index();
-        let cells = claims.folds.add(Cells { column: T, law: laws.truth.clone(), index });
+        let cells = claims.folds.add(Cells { values: Values::Column(T), law: laws.truth.clone(), index });
         let lookups = claims.folds.add(Lookups);
         let reason = if laws.own.is_some() { Reason::Biased } else { Reason::WrongLaw };
         Self { ray, source, terms, said, laws, reason, claims, beside: Vec::new(), index, cells, lookups }
@@ -207,7 +207,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         }
         let (law, reason, mut folds) = (self.laws.truth.clone(), self.reason, Folds::default());
         let index = folds.cell_index();
-        let cells = folds.add(Cells { column: T, law: law.clone(), index });
+        let cells = folds.add(Cells { values: Values::Column(T), law: law.clone(), index });
         let lookups = folds.add(Lookups);
         self.claims.push(SeriesClaim { law, beside: self.beside.len(), cells, lookups, reason });
         let experiment = Box::new(InParts { sampler, ray: self.ray, cut });
