@@ -25,6 +25,7 @@ pub mod chromatic;
 pub mod claims;
 pub mod comb;
 mod control;
+pub mod density;
 pub mod estimate;
 pub mod extinction;
 pub mod free_path;
@@ -37,6 +38,7 @@ pub mod woodcock;
 
 pub use capability::Capability;
 pub use chromatic::ChromaticSampler;
+pub use density::DensitySampler;
 pub use estimate::Estimator;
 pub use extinction::{Cells, Extinction, Medium, Under};
 pub use free_path::{FreePath, FreePathSampler};

@@ -27,6 +27,7 @@ mod view;
 mod volume;
 
 pub use chromatic::ChromaticMedium;
+pub(crate) use formula::Expression;
 pub mod voxel_grid;
 pub use nodes::{Nodes, NodesRequest};
 pub use numeric::{Numeric, numeric};

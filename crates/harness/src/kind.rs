@@ -34,6 +34,8 @@ kinds! {
     chromatic::Chromatic,
     /// An estimator of a number.
     estimate::Estimate,
+    /// A sampler of a density on a line.
+    density::Density,
 }
 
 /// What a case says of something by its name: its parameters.

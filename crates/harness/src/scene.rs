@@ -39,13 +39,13 @@ macro_rules! scenes {
 
         /// A scene without a medium that a case can name.
         #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-        #[serde(rename_all = "snake_case")]
+        #[allow(non_camel_case_types, reason = "a variant is named as in a case: serde would write density1d")]
         pub enum AnyScene {
             $(
                 #[doc = concat!("See [`", stringify!($Type), "`].")]
                 // The schema refers to the type, whose own words are the ones to show.
                 #[schemars(description = "")]
-                $Type($Type),
+                $file($Type),
             )*
         }
 
@@ -56,7 +56,7 @@ macro_rules! scenes {
             /// The name of this one.
             #[must_use]
             pub fn name(&self) -> &'static str {
-                match self { $(Self::$Type(_) => stringify!($file),)* }
+                match self { $(Self::$file(_) => stringify!($file),)* }
             }
 
             /// Refuses parameters that make no scene.
@@ -64,19 +64,20 @@ macro_rules! scenes {
             /// # Errors
             /// Naming the parameter.
             pub fn check(&self) -> Result<(), ParameterError> {
-                match self { $(Self::$Type(scene) => scene.check(),)* }
+                match self { $(Self::$file(scene) => scene.check(),)* }
             }
 
             /// The scene.
             #[must_use]
             pub fn build(&self) -> Arc<dyn Scene> {
-                match self { $(Self::$Type(scene) => Arc::new(scene.clone()),)* }
+                match self { $(Self::$file(scene) => Arc::new(scene.clone()),)* }
             }
         }
     };
 }
 
 scenes! {
+    density_1d::Density1d,
     number::Number,
 }
 

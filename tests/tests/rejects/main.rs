@@ -3,6 +3,7 @@
 
 mod by_design;
 mod chromatic;
+mod density;
 mod estimates;
 mod every_test;
 mod facts;

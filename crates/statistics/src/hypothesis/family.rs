@@ -13,6 +13,8 @@ pub fn family(name: &str) -> &str {
     let name = name.strip_prefix("own_").unwrap_or(name);
     if test(name).is_some() {
         name
+    } else if name.starts_with("atom_") {
+        "atom"
     } else if name.starts_with("second_moment_") {
         "second_moment"
     } else if name.starts_with("scatter_") || name.starts_with("surface_") {
@@ -34,8 +36,9 @@ mod tests {
 
     #[test]
     fn every_claim_belongs_to_a_test() {
-        let of = ["own_atom", "scatter_0_bin_3", "surface_2", "second_moment_scatter_1", "chi_square_16"];
-        let to = ["atom", "mean", "mean", "second_moment", "chi_square_16"];
+        let of =
+            ["own_atom", "scatter_0_bin_3", "surface_2", "second_moment_scatter_1", "chi_square_16", "atom_1"];
+        let to = ["atom", "mean", "mean", "second_moment", "chi_square_16", "atom"];
         assert_eq!(of.map(family), to);
     }
 }

@@ -1,0 +1,348 @@
+//! The law that a sampler of a density should follow.
+
+use crate::extinction::Medium;
+use crate::medium::{Expression, PiecewiseConstant, PiecewiseLinear, numeric};
+use crate::parameter::{ParameterError, require};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A function of x: a formula, or a table between whose rows it is linear.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Curve {
+    /// A formula in x, such as `6*x*(1 - x)`.
+    Formula(String),
+    /// A table.
+    Table(Table),
+}
+
+/// Values at places, linear between them.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// Where, increasing from one end of the domain to the other.
+    pub x: Vec<f64>,
+    /// The value at each place.
+    pub y: Vec<f64>,
+}
+
+/// A number that is drawn with a probability of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Atom {
+    /// The number.
+    pub at: f64,
+    /// Its probability.
+    pub mass: f64,
+}
+
+/// A density and atoms on a domain, whose masses add up to 1.
+///
+/// ```text
+/// F(x) = int_a^x p + sum of the masses at or below x,   F(b) = 1
+/// ```
+///
+/// Of a formula the integral comes from quadrature, as that of a formula medium; of a table it is exact.
+#[derive(Clone)]
+pub struct Target {
+    domain: [f64; 2],
+    continuous: Continuous,
+    atoms: Vec<Atom>,
+    atom_mass: f64,
+}
+
+/// The continuous part, seen from the start of the domain.
+#[derive(Clone)]
+enum Continuous {
+    /// The density is an extinction: its optical depth is the distribution function.
+    Density(Arc<dyn Medium>),
+    /// A distribution function, whose density nobody knows.
+    Distribution(Expression),
+}
+
+/// How far the masses may add up to something else than 1.
+const EXCESS: f64 = 1e-9;
+/// Places at which a formula is looked at before it is believed.
+const PLACES: u32 = 4096;
+/// No majorant is needed of a density.
+const NO_MAJORANT: f64 = 1e300;
+
+impl Target {
+    /// The target of a density.
+    ///
+    /// # Errors
+    /// If it is negative or not finite, an end of the domain or an atom is none, or the masses do not add up to 1.
+    pub fn of_pdf(pdf: &Curve, domain: [f64; 2], breaks: &[f64], atoms: &[Atom]) -> Result<Self, ParameterError> {
+        let length = length(domain)?;
+        let from_start = |x: &[f64]| x.iter().map(|x| x - domain[0]).collect::<Vec<_>>();
+        let medium: Arc<dyn Medium> = match pdf {
+            Curve::Table(Table { x, y }) => {
+                ends("pdf", x, domain)?;
+                let medium = PiecewiseLinear::new(from_start(x), y.clone());
+                Arc::new(medium.map_err(|why| ParameterError::unusable("pdf", why))?)
+            }
+            Curve::Formula(text) => {
+                let formula = formula("pdf", text)?;
+                for x in places(domain) {
+                    let value = formula.at(x);
+                    let what = format!("{value} at x = {x}");
+                    require(value >= 0.0 && value < f64::INFINITY, "pdf", what, "finite and not negative")?;
+                }
+                let pdf = move |t: f64| formula.at(domain[0] + t);
+                let medium = numeric(pdf, length, NO_MAJORANT, from_start(breaks));
+                Arc::new(medium.map_err(|why| ParameterError::unusable("pdf", why))?)
+            }
+        };
+        Self::with_atoms("pdf", domain, Continuous::Density(medium), atoms)
+    }
+
+    /// The target of a distribution function of the continuous part, which increases from 0 at the start of the domain.
+    ///
+    /// # Errors
+    /// If it decreases or does not start at 0, an end of the domain or an atom is none, or the masses do not add up to 1.
+    pub fn of_cdf(cdf: &Curve, domain: [f64; 2], atoms: &[Atom]) -> Result<Self, ParameterError> {
+        length(domain)?;
+        let continuous = match cdf {
+            Curve::Table(Table { x, y }) => {
+                ends("cdf", x, domain)?;
+                Continuous::Density(Arc::new(slopes(x, y)?))
+            }
+            Curve::Formula(text) => Continuous::Distribution(formula("cdf", text)?),
+        };
+        let target = Self::with_atoms("cdf", domain, continuous, atoms)?;
+        increases(&target)?;
+        Ok(target)
+    }
+
+    fn with_atoms(
+        name: &'static str,
+        domain: [f64; 2],
+        continuous: Continuous,
+        atoms: &[Atom],
+    ) -> Result<Self, ParameterError> {
+        let mut last = f64::NEG_INFINITY;
+        for &Atom { at, mass } in atoms {
+            let within = at > last && at >= domain[0] && at <= domain[1];
+            last = require(within, "atoms", at, "increasing inside the domain")?;
+            require(mass > 0.0 && mass <= 1.0, "atoms", mass, "a probability above 0")?;
+        }
+        let atom_mass = atoms.iter().map(|atom| atom.mass).sum();
+        let target = Self { domain, continuous, atoms: atoms.to_vec(), atom_mass };
+        let sum = target.continuous_mass(domain[1]) + atom_mass;
+        let whole = (sum - 1.0).abs() <= EXCESS + target.error();
+        let must_be = "one whose mass is 1, together with that of the atoms";
+        require(whole, name, format!("one of {sum}"), must_be)?;
+        Ok(target)
+    }
+
+    /// Where its numbers lie.
+    #[must_use]
+    pub fn domain(&self) -> [f64; 2] {
+        self.domain
+    }
+
+    /// Its atoms, increasing.
+    #[must_use]
+    pub fn atoms(&self) -> &[Atom] {
+        &self.atoms
+    }
+
+    /// The probability of all atoms.
+    #[must_use]
+    pub fn atom_mass(&self) -> f64 {
+        self.atom_mass
+    }
+
+    /// The density at `x`, of an atom its mass; none if only the distribution function is known.
+    #[must_use]
+    pub fn pdf(&self, x: f64) -> Option<f64> {
+        if let Some(atom) = self.atoms.iter().find(|atom| x.total_cmp(&atom.at).is_eq()) {
+            return Some(atom.mass);
+        }
+        match &self.continuous {
+            Continuous::Density(medium) if self.holds(x) => Some(medium.mu(x - self.domain[0])),
+            Continuous::Density(_) => Some(0.0),
+            Continuous::Distribution(_) => None,
+        }
+    }
+
+    /// The mass of the continuous part at or below `x`, which lies in the domain.
+    #[must_use]
+    pub fn continuous_mass(&self, x: f64) -> f64 {
+        match &self.continuous {
+            Continuous::Density(medium) => medium.tau(x - self.domain[0]),
+            Continuous::Distribution(cdf) => cdf.at(x),
+        }
+    }
+
+    /// Whether `x` lies in the domain.
+    #[must_use]
+    pub fn holds(&self, x: f64) -> bool {
+        self.domain[0] <= x && x <= self.domain[1]
+    }
+
+    /// Whether there is mass at `x`: an atom, a density within 1e-9 of the domain around it, or, where no density is known, an increase
+    /// of the distribution function within 1e-3 of the domain around it.
+    #[must_use]
+    pub fn has_mass(&self, x: f64) -> bool {
+        let within = |share: f64| {
+            let near = share * (self.domain[1] - self.domain[0]);
+            [x - near, x, x + near].map(|x| x.clamp(self.domain[0], self.domain[1]))
+        };
+        let density = self.holds(x)
+            && match &self.continuous {
+                Continuous::Density(medium) => within(1e-9).iter().any(|x| medium.mu(x - self.domain[0]) > 0.0),
+                Continuous::Distribution(cdf) => {
+                    let [from, _, to] = within(1e-3);
+                    cdf.at(to) > cdf.at(from)
+                }
+            };
+        density || self.atoms.iter().any(|atom| x.total_cmp(&atom.at).is_eq())
+    }
+
+    /// How far a probability may be off.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        match &self.continuous {
+            Continuous::Density(medium) => medium.tau_error(),
+            Continuous::Distribution(_) => 0.0,
+        }
+    }
+
+    /// The number at a probability `u` in [0, 1): the continuous part first, then the atoms.
+    ///
+    /// Cost: some 60 evaluations of the distribution function if there is no other way.
+    #[must_use]
+    pub fn quantile(&self, u: f64) -> f64 {
+        let mut rest = u - (1.0 - self.atom_mass);
+        if rest < 0.0 || self.atoms.is_empty() {
+            return self.continuous_quantile(u);
+        }
+        let hit = |atom: &&Atom| {
+            rest -= atom.mass;
+            rest < 0.0
+        };
+        self.atoms.iter().find(hit).or(self.atoms.last()).map_or(f64::NAN, |atom| atom.at)
+    }
+
+    fn continuous_quantile(&self, mass: f64) -> f64 {
+        let [mut low, mut high] = self.domain;
+        loop {
+            let middle = 0.5 * (low + high);
+            if !(low < middle && middle < high) {
+                return high;
+            }
+            if self.continuous_mass(middle) > mass { high = middle } else { low = middle }
+        }
+    }
+}
+
+fn length([a, b]: [f64; 2]) -> Result<f64, ParameterError> {
+    let holds = a < b && a.is_finite() && b.is_finite();
+    require(holds, "domain", b - a, "two finite numbers, the least first")
+}
+
+fn ends(name: &'static str, x: &[f64], [a, b]: [f64; 2]) -> Result<(), ParameterError> {
+    let same = |x: Option<&f64>, end: f64| x.is_some_and(|x| x.total_cmp(&end).is_eq());
+    let holds = same(x.first(), a) && same(x.last(), b);
+    require(holds, name, "other places", "a table from one end of the domain to the other").map(drop)
+}
+
+fn formula(name: &'static str, text: &str) -> Result<Expression, ParameterError> {
+    Expression::new(text, "x").map_err(|why| ParameterError::unusable(name, why))
+}
+
+/// Places across the domain, both ends among them.
+fn places([a, b]: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..=PLACES).map(move |i| if i == PLACES { b } else { a + (b - a) * f64::from(i) / f64::from(PLACES) })
+}
+
+/// The density under a distribution function that is linear between the rows of a table.
+fn slopes(x: &[f64], y: &[f64]) -> Result<PiecewiseConstant, ParameterError> {
+    require(x.len() == y.len(), "cdf", y.len(), "as many values as places")?;
+    let start = y.first().copied().unwrap_or(f64::NAN);
+    require(start == 0.0, "cdf", start, "0 at the start of the domain")?;
+    let edges = x.iter().map(|at| at - x[0]).collect();
+    let slope = |(x, y): (&[f64], &[f64])| (y[1] - y[0]) / (x[1] - x[0]);
+    let values = x.windows(2).zip(y.windows(2)).map(slope).collect();
+    PiecewiseConstant::new(edges, values).map_err(|why| ParameterError::unusable("cdf", why))
+}
+
+fn increases(target: &Target) -> Result<(), ParameterError> {
+    let mut last = 0.0;
+    let start = target.continuous_mass(target.domain[0]);
+    require(start.abs() <= EXCESS, "cdf", start, "0 at the start of the domain")?;
+    for x in places(target.domain) {
+        let mass = target.continuous_mass(x);
+        let holds = mass >= last - EXCESS && mass <= 1.0 + EXCESS;
+        require(holds, "cdf", format!("{mass} at x = {x}"), "increasing from 0 to at most 1")?;
+        last = mass;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BETA: &str = "6*x*(1 - x)";
+
+    fn of_pdf(text: &str, domain: [f64; 2], atoms: &[Atom]) -> Result<Target, ParameterError> {
+        Target::of_pdf(&Curve::Formula(text.into()), domain, &[], atoms)
+    }
+
+    fn refusal(text: &str, domain: [f64; 2], atoms: &[Atom]) -> String {
+        of_pdf(text, domain, atoms).err().map(|why| why.to_string()).unwrap_or_default()
+    }
+
+    #[test]
+    fn a_density_and_its_distribution_function_are_one_target() {
+        let pdf = of_pdf("x/2", [0.0, 2.0], &[]).unwrap();
+        let cdf = Target::of_cdf(&Curve::Formula("x^2/4".into()), [0.0, 2.0], &[]).unwrap();
+        for (x, mass) in [(0.1, 1.0 / 400.0), (0.8, 0.16), (1.0, 0.25)] {
+            assert!(
+                (pdf.continuous_mass(x) - mass).abs() < 1e-12 && (cdf.continuous_mass(x) - mass).abs() < 1e-15
+            );
+            assert!((pdf.quantile(mass) - x).abs() < 1e-9 && (cdf.quantile(mass) - x).abs() < 1e-12);
+        }
+        assert_eq!((cdf.pdf(1.0), pdf.pdf(1.0), pdf.pdf(2.5)), (None, Some(0.5), Some(0.0)));
+    }
+
+    #[test]
+    fn tables_start_anywhere_and_atoms_come_last() {
+        let hat = Curve::Table(Table { x: vec![-1.0, 0.0, 1.0], y: vec![0.0, 0.75, 0.0] });
+        let atoms = [Atom { at: -1.0, mass: 0.1 }, Atom { at: 0.5, mass: 0.15 }];
+        let target = Target::of_pdf(&hat, [-1.0, 1.0], &[], &atoms).unwrap();
+        assert!((target.quantile(0.375) - 0.0).abs() < 1e-12);
+        assert_eq!((target.quantile(0.8), target.quantile(0.9)), (-1.0, 0.5));
+        assert_eq!((target.pdf(0.5), target.pdf(0.0)), (Some(0.15), Some(0.75)));
+        let ramp = Curve::Table(Table { x: vec![0.0, 1.0, 3.0], y: vec![0.0, 0.5, 1.0] });
+        let target = Target::of_cdf(&ramp, [0.0, 3.0], &[]).unwrap();
+        assert_eq!((target.pdf(0.5), target.pdf(2.0)), (Some(0.5), Some(0.25)));
+    }
+
+    #[test]
+    fn mass_is_seen_to_the_ends_and_not_in_a_gap() {
+        let beta = of_pdf(BETA, [0.0, 1.0], &[]).unwrap();
+        assert!([0.0, 0.5, 1.0 - 1e-16, 1.0].iter().all(|&x| beta.has_mass(x)));
+        assert!([-0.1, 1.1, f64::NAN, f64::INFINITY].iter().all(|&x| !beta.has_mass(x)));
+        let x = vec![0.0, 1.0, 2.0, 3.0];
+        let gap = Curve::Table(Table { x, y: vec![0.0, 0.5, 0.5, 1.0] });
+        let target = Target::of_cdf(&gap, [0.0, 3.0], &[]).unwrap();
+        assert!(target.has_mass(0.5) && target.has_mass(1.0) && !target.has_mass(1.5));
+    }
+
+    #[test]
+    fn what_is_no_law_is_refused() {
+        assert!(refusal("x", [0.0, 1.0], &[]).starts_with("pdf must be one whose mass is 1"));
+        assert!(refusal("x - 0.5", [0.0, 1.0], &[]).contains("not -0.5 at x = 0"));
+        assert!(refusal("t", [0.0, 1.0], &[]).contains("unknown name `t` at column 1 (x, pi"));
+        assert!(refusal(BETA, [1.0, 1.0], &[]).starts_with("domain must be two finite numbers"));
+        assert!(refusal(BETA, [0.0, f64::NAN], &[]).starts_with("domain"));
+        assert!(refusal(BETA, [0.0, 1.0], &[Atom { at: 2.0, mass: 0.5 }]).starts_with("atoms must be increasing"));
+        assert!(refusal(BETA, [0.0, 1.0], &[Atom { at: 0.5, mass: f64::NAN }]).starts_with("atoms must be"));
+        let down = Target::of_cdf(&Curve::Formula("1 - (1 - 2*x)^2".into()), [0.0, 1.0], &[]);
+        assert!(down.is_err());
+    }
+}

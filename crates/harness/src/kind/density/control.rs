@@ -1,0 +1,9 @@
+/// Inversion of the distribution function by bisection, from the truth: the positive control.
+///
+/// Target: the law of the scene.
+/// Range:  its domain.
+/// Cost:   one uniform, some 60 evaluations of F.
+/// Needs:  the truth, which only the harness knows.
+#[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Exact {}

@@ -1,0 +1,74 @@
+use crate::experiment::{Plan, Terms};
+use freepath_estimators::density::{Target, X};
+use freepath_results::Reason;
+use freepath_statistics::Law;
+use freepath_statistics::claim::{
+    AtomsClaim, Claims, Domain, EnoughRows, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
+};
+use freepath_statistics::fold::{Cells, Inside, Lags, Places, Rank, Values};
+use freepath_statistics::tally::Scores;
+use std::sync::Arc;
+
+/// Numbers lie where there is mass, and their ranks are uniform but for the atoms.
+pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -> Plan<'a> {
+    let (mut claims, reason) = (Claims::default(), Reason::WrongLaw);
+    let (law, index) = (Arc::new(ranks(target, terms)), claims.folds.cell_index());
+    let values = Values::Rank(Rank { columns: &[X], of: rank(target.clone()) });
+    let cells = claims.folds.add(Cells { values, law: law.clone(), index });
+    let inside: Inside = Arc::new({
+        let target = target.clone();
+        move |x| target.has_mass(x)
+    });
+    let atoms = target.atoms().iter().map(|atom| atom.at).collect();
+    let places = claims.folds.add(Places { column: X, inside: inside.clone(), atoms });
+    claims.push(Domain { column: X, inside, places });
+    if external {
+        claims.push(EnoughRows);
+    }
+    claims.push(LawAgreement { cells, reason });
+    claims.push(LawClaim {
+        law: law.clone(),
+        cells,
+        reason,
+        own: None,
+        breaks: Vec::new(),
+        order: None,
+        grows: true,
+    });
+    if target.atoms().len() > 1 {
+        let masses = target.atoms().iter().map(|atom| atom.mass).collect();
+        claims.push(AtomsClaim { masses, slack: law.slack(), places });
+    }
+    if terms.stands(Withdrawal::Independent) {
+        let scores = Arc::new(Scores::new(&law));
+        let lags = claims.folds.add(Lags { scores: scores.clone(), index });
+        if terms.stands(Withdrawal::Truth) {
+            claims.push(Order { scores, lags, cells });
+        } else {
+            claims.push(ObservedOrder { scores, lags, cells });
+        }
+    }
+    Plan { claims, beside: Vec::new() }
+}
+
+/// The law of the ranks: uniform on [0, 1) for the continuous part, at infinity for an atom.
+fn ranks(target: &Target, terms: &Terms) -> Law {
+    let share = 1.0 - target.atom_mass();
+    let survival = move |rank: f64| if rank < 1.0 { 1.0 - share * rank } else { 1.0 - share };
+    Law::new(1.0, terms.tolerance + target.error(), survival)
+}
+
+/// The share of the continuous part at or below a number; infinity for an atom, -1 for a number without mass.
+fn rank(target: Arc<Target>) -> Arc<dyn Fn(&[f64]) -> f64 + Send + Sync> {
+    let share = 1.0 - target.atom_mass();
+    Arc::new(move |row| {
+        let x = row[0];
+        let is_atom = target.atoms().iter().any(|atom| x.total_cmp(&atom.at).is_eq());
+        match () {
+            () if x.is_nan() => f64::NAN,
+            () if is_atom => f64::INFINITY,
+            () if !target.holds(x) => -1.0,
+            () => target.continuous_mass(x) / share,
+        }
+    })
+}

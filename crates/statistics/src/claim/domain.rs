@@ -1,0 +1,74 @@
+use super::{Claim, Finding, Summary, Withdrawal, counted};
+use crate::check;
+use crate::evidence::Evidence;
+use crate::fold::{FoldId, Inside, Places, Tallies};
+use crate::hypothesis;
+use crate::judged::Judged;
+use freepath_draws::Draws;
+use freepath_results::Reason;
+
+/// Every number of a column lies where its law has mass.
+pub struct Domain {
+    /// The column.
+    pub column: &'static str,
+    /// Where that is, atoms among it.
+    pub inside: Inside,
+    /// Where the numbers lie.
+    pub places: FoldId<Places>,
+}
+
+impl Claim for Domain {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let seen = tallies.counts(self.places);
+        into.facts.extend(counted(check::FINITE, seen.non_finite, Reason::NonFinite, "draws are NaN"));
+        let what = "draws lie where the law has no mass";
+        into.facts.extend(counted(check::SUPPORT, seen.outside, Reason::OutOfSupport, what));
+    }
+
+    fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
+        let x = draws.f64(self.column).ok()?[row];
+        if x.is_nan() {
+            return Some(Finding { reason: Reason::NonFinite, what: "a draw is NaN".into() });
+        }
+        let what = || format!("the draw {x:e} lies where the law has no mass");
+        (!(self.inside)(x)).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
+    }
+
+    fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
+        let seen = tallies.counts(self.places);
+        into.audit.non_finite += seen.non_finite;
+        into.audit.out_of_support += seen.outside;
+    }
+}
+
+/// Each atom is drawn as often as its mass says, beside the atom of them all.
+pub struct AtomsClaim {
+    /// The mass of each.
+    pub masses: Vec<f64>,
+    /// How far each may be off.
+    pub slack: f64,
+    /// How often each was drawn.
+    pub places: FoldId<Places>,
+}
+
+impl Claim for AtomsClaim {
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let counts = &tallies.counts(self.places).atoms;
+        for (i, (&count, &mass)) in counts.iter().zip(&self.masses).enumerate() {
+            let atom = hypothesis::atom(tallies.draws, count, mass, self.slack, Reason::WrongLaw);
+            let note = format!(
+                "{:.6} of the draws are this atom, {mass:.6} should be",
+                count as f64 / tallies.draws as f64
+            );
+            into.evidence.push(Evidence { name: format!("atom_{i}"), ..atom }.noted(note));
+        }
+    }
+}
