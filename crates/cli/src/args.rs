@@ -267,6 +267,9 @@ pub(crate) struct List {
     /// As JSON.
     #[arg(long)]
     pub(crate) json: bool,
+    /// As a page in Markdown, with parameters and details: docs/reference.md.
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) markdown: bool,
 }
 
 /// `freepath describe`.

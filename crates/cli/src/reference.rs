@@ -3,6 +3,7 @@
 mod doc;
 mod example;
 mod fields;
+mod markdown;
 
 use doc::plain;
 pub(crate) use fields::Field;
@@ -11,7 +12,9 @@ use freepath_harness::case::{self, variants};
 use freepath_harness::describe::CHECKS;
 use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
+use freepath_statistics::check::Check;
 use freepath_statistics::hypothesis::TESTS;
+pub(crate) use markdown::page;
 
 /// One name.
 #[derive(Debug)]
@@ -26,6 +29,17 @@ pub(crate) struct Entry {
     pub(crate) fields: Vec<Field>,
     /// How it stands in a case; empty if it does not.
     pub(crate) example: String,
+    /// What the record of a test or of a check tells besides.
+    pub(crate) told: Option<Told>,
+}
+
+/// What a test or a check has and nothing else.
+#[derive(Debug)]
+pub(crate) struct Told {
+    /// All but the first words, as plain text.
+    pub(crate) details: String,
+    /// Its section of `docs/statistics.md`, as a link has it.
+    pub(crate) section: &'static str,
 }
 
 impl Entry {
@@ -73,6 +87,7 @@ pub(crate) fn entries() -> Vec<Entry> {
                 name: name.to_string(),
                 words: plain(words),
                 fields,
+                told: None,
             }
         })
         .collect();
@@ -82,15 +97,21 @@ pub(crate) fn entries() -> Vec<Entry> {
 }
 
 fn tests() -> impl Iterator<Item = Entry> {
-    let entry = |kind, name: &str, words: &str, details: &str| Entry {
+    let tests = TESTS.iter().map(|test| told("test", test.name, test.words, test.details, test.section));
+    let check = |check: &Check| told("check", check.name, check.words, check.details, check.section);
+    tests.chain(CHECKS.iter().map(check))
+}
+
+/// What a record tells.
+fn told(kind: &'static str, name: &str, words: &str, details: &str, section: &'static str) -> Entry {
+    Entry {
         kind,
         name: name.to_string(),
         words: plain(&format!("{words}\n\n{details}")),
         fields: Vec::new(),
         example: String::new(),
-    };
-    let tests = TESTS.iter().map(move |test| entry("test", test.name, test.words, test.details));
-    tests.chain(CHECKS.iter().map(move |check| entry("check", check.name, check.words, check.details)))
+        told: Some(Told { details: details.replace("```text\n", "").replace("```\n", ""), section }),
+    }
 }
 
 fn reasons() -> impl Iterator<Item = Entry> {
@@ -100,6 +121,7 @@ fn reasons() -> impl Iterator<Item = Entry> {
         words: format!("{}\n\n{}", sentence(reason.words()), reason.advice()),
         fields: Vec::new(),
         example: format!("\"expect\": {{ \"fail\": \"{reason}\" }}"),
+        told: None,
     })
 }
 

@@ -1,5 +1,5 @@
-//! The README says what is true: its commands run, its case and its code are those of the examples, and it leaves no
-//! name out.
+//! The README says what is true: its commands run, its case and its code are those of the examples, and the
+//! pages it links to leave no name out.
 
 use freepath_estimators::medium::AnyMedium;
 use freepath_harness::case::{CaseFile, Limits};
@@ -122,14 +122,21 @@ fn the_code_is_that_of_the_example() {
 }
 
 #[test]
+fn the_committed_reference_is_current() {
+    let done = freepath(&["list", "--markdown"].map(String::from), &[]);
+    let current = String::from_utf8(done.stdout).unwrap();
+    assert!(text("docs/reference.md") == current, "run `cargo run -- list --markdown > docs/reference.md`");
+}
+
+#[test]
 fn every_name_is_told() {
-    let readme = text("README.md");
+    let page = text("docs/reference.md");
     let subjects = KINDS.iter().flat_map(|kind| (kind.names)());
     let names = subjects.chain(AnyMedium::NAMES).copied();
     let faults = Fault::NAMES.iter().map(|(name, _)| *name);
     let reasons = Reason::ALL.iter().map(|reason| reason.code());
     for name in names.chain(faults).chain(reasons) {
-        assert!(readme.contains(&format!("`{name}`")), "README.md does not tell of {name}");
+        assert!(page.contains(&format!("\n### `{name}`\n")), "docs/reference.md does not tell of {name}");
     }
 }
 
@@ -161,8 +168,15 @@ fn every_control_is_in_the_power_table() {
 
 #[test]
 fn every_link_leads_somewhere() {
-    let pages =
-        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/faults.md", "docs/power.md", "docs/statistics.md"];
+    let pages = [
+        "README.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "docs/faults.md",
+        "docs/power.md",
+        "docs/reference.md",
+        "docs/statistics.md",
+    ];
     for file in pages {
         let (page, path) = (text(file), root().join(file));
         let links = page.split("](").skip(1).map(|rest| rest.split([')', '#']).next().unwrap_or(""));

@@ -1,17 +1,19 @@
 //! `freepath list`.
 
 use crate::args::List;
-use crate::reference::{Entry, entries};
+use crate::reference::{Entry, entries, page};
 use crate::screen;
 use crate::trouble::Trouble;
 use serde_json::{Value, json};
 
-/// Prints every name with one sentence.
+/// Prints every name with one sentence; in Markdown with its parameters, and with the details of tests.
 pub(crate) fn list(args: &List) -> Result<u8, Trouble> {
     let entries = entries();
     if args.json {
         let line = |entry: &Entry| json!({ "kind": entry.kind, "name": entry.name, "summary": entry.summary() });
         screen::print_json(&Value::Array(entries.iter().map(line).collect()))?;
+    } else if args.markdown {
+        screen::print(&page(&entries))?;
     } else {
         screen::print(&text(&entries))?;
     }
