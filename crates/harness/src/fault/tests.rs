@@ -1,7 +1,7 @@
 //! The size of a fault is the one that is known of it, within noise; and it is refused where it does not fit.
 
 use super::Fault;
-use crate::case::{CaseFile, Limits};
+use crate::case::{CaseFile, Limits, schema, variants};
 use crate::sample::sample_block;
 use crate::subject::BLOCK;
 use freepath_draws::{Draws, Key, Numbers, NumbersMut, column};
@@ -231,4 +231,14 @@ fn every_fault_is_told_once() {
     names.sort_unstable();
     names.dedup();
     assert_eq!(names.len(), Fault::NAMES.len());
+}
+
+#[test]
+fn every_fault_tells_where_it_was_found_the_right_formula_and_where_it_shows() {
+    let schema = schema();
+    for (name, _, words) in variants(&schema, &schema["$defs"]["Fault"]) {
+        let found = ["issue", "commit", "(a typical slip)", "Harmless: "].iter().any(|source| words.contains(source));
+        let formulas = words.contains("```text\nright: ") && words.contains("\n\nShows in: ");
+        assert!(found && formulas, "{name}: {words}");
+    }
 }

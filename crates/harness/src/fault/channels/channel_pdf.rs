@@ -2,7 +2,7 @@ use crate::fault::{BlockContext, Injection, Target};
 use freepath_draws::{ChannelColumns, Draws, MissingColumn};
 use freepath_estimators::Capability;
 
-/// Weights are divided by the density of one channel alone, where that of the mixture is due.
+/// Weights are divided by the density of one channel alone, where that of the mixture is due (a typical slip).
 ///
 /// ```text
 /// right: w_k = f_k / sum_j q_j p_j;   wrong: w_k = f_k / p_channel

@@ -3,7 +3,8 @@ use freepath_draws::{Draws, MissingColumn, NumbersMut, column};
 use freepath_estimators::parameter::require;
 use freepath_estimators::{Capability, ParameterError};
 
-/// Draws are handed out in the order in which walks end, not in the order in which they start: short walks come first.
+/// Draws are handed out in the order in which walks end, not in the order in which they start: short walks come first (a
+/// typical slip).
 ///
 /// ```text
 /// right: row i is the i-th draw started;   wrong: the i-th of its window that ends

@@ -4,7 +4,7 @@ use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 
-/// Now and then a draw repeats the one before it: a generator that is read twice.
+/// Now and then a draw repeats the one before it: a generator that is read twice (a typical slip).
 ///
 /// ```text
 /// right: a fresh draw;   wrong: the draw before, with probability `share`

@@ -3,7 +3,7 @@ use freepath_draws::{Draws, MissingColumn, NumbersMut};
 use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 
-/// One walk of so many gives NaN: 0 / 0 in a rare branch.
+/// One walk of so many gives NaN: 0 / 0 in a rare branch (a typical slip).
 ///
 /// ```text
 /// right: a finite draw;   wrong: NaN, and a statistic that skips it

@@ -2,7 +2,7 @@ use crate::fault::{Injection, Overlay, WalkContext};
 use freepath_estimators::parameter::finite;
 use freepath_estimators::{Capability, ParameterError};
 
-/// Every look-up is a distance away from where it should be: half a step, say.
+/// Every look-up is a distance away from where it should be: half a step, say (a typical slip).
 ///
 /// ```text
 /// right: mu(t);   wrong: mu(t + by), kept on the ray
