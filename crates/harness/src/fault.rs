@@ -21,16 +21,16 @@ mod uniforms;
 mod walk;
 mod walk_progress;
 
-pub use block_context::BlockContext;
+pub(crate) use block_context::BlockContext;
 pub use channel_mixture::ChannelMixture;
-pub use faulty_medium::FaultyMedium;
-pub use faulty_rng::FaultyRng;
-pub use injection::Injection;
-pub use layer::Layer;
-pub use overlay::{Overlay, RayView, WalkContext};
-pub use target::{ListedSampler, Target};
+pub(crate) use faulty_medium::FaultyMedium;
+pub(crate) use faulty_rng::FaultyRng;
+pub(crate) use injection::Injection;
+pub(crate) use layer::Layer;
+pub(crate) use overlay::{Overlay, RayView, WalkContext};
+pub(crate) use target::{ListedSampler, Target};
 
-/// Names to types: an enum with one variant per file, seen as [`Injection`]; the folder of the file is its layer.
+/// Names to types: an enum with one variant per file, seen as an [`Injection`]; the folder of the file is its layer.
 macro_rules! faults {
     ($($layer:ident::$file:ident::$Type:ident: $words:literal,)*) => {
         $(pub use $layer::$file::$Type;)*
@@ -58,15 +58,12 @@ macro_rules! faults {
             }
 
             /// The layer that the fault is laid over.
-            #[must_use]
-            pub fn layer(&self) -> Layer {
+            pub(crate) fn layer(&self) -> Layer {
                 match self { $(Self::$Type(_) => $layer::LAYER,)* }
             }
-        }
 
-        impl std::ops::Deref for Fault {
-            type Target = dyn Injection;
-            fn deref(&self) -> &(dyn Injection + 'static) {
+            /// What it does there.
+            pub(crate) fn injection(&self) -> &dyn Injection {
                 match self { $(Self::$Type(fault) => fault,)* }
             }
         }

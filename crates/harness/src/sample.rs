@@ -58,7 +58,7 @@ pub fn sample_block(
         length: subject.experiment.length(),
         mixture: subject.experiment.mixture(),
     };
-    let corrupted = subject.faults.iter().try_for_each(|fault| fault.corrupt_draws(&context, draws));
+    let corrupted = subject.faults.iter().try_for_each(|fault| fault.injection().corrupt_draws(&context, draws));
     corrupted.map(|()| record).map_err(|missing| missing.to_string())
 }
 
@@ -103,7 +103,7 @@ fn sample_watched(
 
 /// The address of the randomness that `subject` uses at `key`.
 fn faulty_key(subject: &Subject, key: Key) -> Key {
-    subject.faults.iter().fold(key, |key, fault| fault.alter_key(key))
+    subject.faults.iter().fold(key, |key, fault| fault.injection().alter_key(key))
 }
 
 /// The streams that `subject` uses in place of `streams`.

@@ -34,7 +34,7 @@ impl CaseFile {
             }
             for fault in subject.fault.iter().flat_map(|faults| &faults.0) {
                 let refused = |why| self.refuse(&format!("{at}.fault"), format!("fault {}: {why}", fault.name()));
-                fault.check().map_err(refused)?;
+                fault.injection().check().map_err(refused)?;
             }
             self.check_masks_fault(&at, subject)?;
         }

@@ -3,15 +3,15 @@ use freepath_draws::Key;
 
 /// The block of draws that a fault is laid over: for those that count walks, need random numbers, or must know how they were
 /// drawn.
-pub struct BlockContext<'a> {
+pub(crate) struct BlockContext<'a> {
     /// The block's key.
-    pub key: Key,
+    pub(crate) key: Key,
     /// Number of the block's first draw.
-    pub first: u64,
+    pub(crate) first: u64,
     /// Length of the ray.
-    pub length: f64,
+    pub(crate) length: f64,
     /// The channels, and how they are drawn; none where there is one extinction.
-    pub mixture: Option<ChannelMixture<'a>>,
+    pub(crate) mixture: Option<ChannelMixture<'a>>,
 }
 
 /// The lane that no subject reads.

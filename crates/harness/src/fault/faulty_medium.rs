@@ -3,7 +3,7 @@ use freepath_estimators::{Cells, Extinction, FreePath, Majorants};
 
 /// The medium as a subject with faulty look-ups sees it. It stands between the subject and the audit, which sees what the
 /// medium really answers.
-pub struct FaultyMedium<'a> {
+pub(crate) struct FaultyMedium<'a> {
     medium: &'a dyn Extinction,
     ray: RayView,
     /// Outermost first.
@@ -12,32 +12,33 @@ pub struct FaultyMedium<'a> {
 
 impl<'a> FaultyMedium<'a> {
     /// The medium of `context` behind those of `faults` that concern look-ups or walks.
-    #[must_use]
-    pub fn new(context: WalkContext<'a>, faults: &'a [Fault]) -> Self {
+    pub(crate) fn new(context: WalkContext<'a>, faults: &'a [Fault]) -> Self {
         let medium = context.medium;
         let mut ray = RayView {
             length: medium.length(),
             majorants: medium.majorants().clone(),
             breaks: medium.breaks().to_vec(),
         };
-        faults.iter().for_each(|fault| fault.alter_ray(&mut ray));
-        Self { medium, ray, overlays: faults.iter().filter_map(|fault| fault.overlay(context)).collect() }
+        faults.iter().for_each(|fault| fault.injection().alter_ray(&mut ray));
+        Self {
+            medium,
+            ray,
+            overlays: faults.iter().filter_map(|fault| fault.injection().overlay(context)).collect(),
+        }
     }
 
     /// Begins another walk.
-    pub fn begin(&self) {
+    pub(crate) fn begin(&self) {
         self.overlays.iter().for_each(|overlay| overlay.begin());
     }
 
     /// What becomes of a draw; none if it is drawn again.
-    #[must_use]
-    pub fn finish(&self, path: FreePath) -> Option<FreePath> {
+    pub(crate) fn finish(&self, path: FreePath) -> Option<FreePath> {
         self.overlays.iter().try_fold(path, |path, overlay| overlay.finish(path))
     }
 
     /// What stands before the stream.
-    #[must_use]
-    pub fn overlays(&self) -> &[Box<dyn Overlay + 'a>] {
+    pub(crate) fn overlays(&self) -> &[Box<dyn Overlay + 'a>] {
         &self.overlays
     }
 }
@@ -64,8 +65,7 @@ impl Extinction for FaultyMedium<'_> {
 
 impl Fault {
     /// Whether any of `faults` stands between the subject and its look-ups.
-    #[must_use]
-    pub fn alters_lookups(faults: &[Self]) -> bool {
+    pub(crate) fn alters_lookups(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::LookUps | Layer::Walk | Layer::Uniforms => true,
             Layer::Majorants | Layer::Draws | Layer::Channels => false,
@@ -73,8 +73,7 @@ impl Fault {
     }
 
     /// Whether any of `faults` can only be laid over one walk at a time.
-    #[must_use]
-    pub fn need_scalar(faults: &[Self]) -> bool {
+    pub(crate) fn need_scalar(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::Walk | Layer::Uniforms => true,
             Layer::Majorants | Layer::LookUps | Layer::Draws | Layer::Channels => false,

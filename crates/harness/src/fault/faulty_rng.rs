@@ -4,15 +4,14 @@ use rand::{Rng, TryRng};
 use std::convert::Infallible;
 
 /// The generator of the scalar method behind faults that concern uniforms.
-pub struct FaultyRng<'a, 'b> {
+pub(crate) struct FaultyRng<'a, 'b> {
     stream: &'b mut StreamRng<'a>,
     overlays: &'b [Box<dyn Overlay + 'b>],
 }
 
 impl<'a, 'b> FaultyRng<'a, 'b> {
     /// `stream` behind `overlays`.
-    #[must_use]
-    pub fn new(stream: &'b mut StreamRng<'a>, overlays: &'b [Box<dyn Overlay + 'b>]) -> Self {
+    pub(crate) fn new(stream: &'b mut StreamRng<'a>, overlays: &'b [Box<dyn Overlay + 'b>]) -> Self {
         Self { stream, overlays }
     }
 }

@@ -3,7 +3,7 @@ use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// What a fault injects in each place where one can be laid; provided: nothing.
-pub trait Injection: Send + Sync {
+pub(crate) trait Injection: Send + Sync {
     /// Refuses a parameter out of its range.
     ///
     /// # Errors

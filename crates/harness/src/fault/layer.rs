@@ -1,6 +1,6 @@
 /// The place where a fault is laid, which says how the subject must be driven: the folder of its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
+pub(crate) enum Layer {
     /// The majorants, under the audit: by the block method.
     Majorants,
     /// The look-ups and the ray, above the audit: by the block method.

@@ -3,26 +3,26 @@ use freepath_estimators::{Extinction, FreePath, Majorants};
 
 /// The walk that a fault is laid over: the medium below it, and the key of the block.
 #[derive(Clone, Copy)]
-pub struct WalkContext<'a> {
+pub(crate) struct WalkContext<'a> {
     /// The audited medium.
-    pub medium: &'a dyn Extinction,
+    pub(crate) medium: &'a dyn Extinction,
     /// The block's key; faults draw from a lane beyond those of the subject.
-    pub key: Key,
+    pub(crate) key: Key,
 }
 
 /// The ray as a subject sees it, beside mu.
 #[derive(Clone, Debug)]
-pub struct RayView {
+pub(crate) struct RayView {
     /// Length of the ray.
-    pub length: f64,
+    pub(crate) length: f64,
     /// Majorants by segment.
-    pub majorants: Majorants,
+    pub(crate) majorants: Majorants,
     /// Where mu or its slope jumps.
-    pub breaks: Vec<f64>,
+    pub(crate) breaks: Vec<f64>,
 }
 
 /// A fault at work in one block, on one thread, between a subject and its medium or its uniforms; provided: no change.
-pub trait Overlay {
+pub(crate) trait Overlay {
     /// Another walk begins.
     fn begin(&self) {}
 

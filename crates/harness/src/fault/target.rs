@@ -3,28 +3,28 @@ use freepath_estimators::transmittance::Control;
 use freepath_estimators::{Capability, Cells, Medium};
 
 /// The subject that a fault is to be laid over, in its scene.
-pub struct Target<'a> {
+pub(crate) struct Target<'a> {
     /// Its sampler's name in the case.
-    pub sampler: &'a str,
+    pub(crate) sampler: &'a str,
     /// What the sampler states that it does inside; none if it is a source of the harness's own.
-    pub capabilities: Option<Vec<Capability>>,
+    pub(crate) capabilities: Option<Vec<Capability>>,
     /// The samplers that a case can name, to say over which the fault could be laid.
-    pub listed: fn() -> &'static [ListedSampler],
+    pub(crate) listed: fn() -> &'static [ListedSampler],
     /// Whether a row is an estimate, not a distance.
-    pub estimates: bool,
+    pub(crate) estimates: bool,
     /// The medium under the majorants that it should have, unless there are channels.
-    pub medium: Option<&'a dyn Medium>,
+    pub(crate) medium: Option<&'a dyn Medium>,
     /// The channels, and how they are drawn.
-    pub mixture: Option<ChannelMixture<'a>>,
+    pub(crate) mixture: Option<ChannelMixture<'a>>,
 }
 
 /// A sampler that a case can name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ListedSampler {
+pub(crate) struct ListedSampler {
     /// Its name in its list.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// What it does inside, with the simplest parameters.
-    pub capabilities: Vec<Capability>,
+    pub(crate) capabilities: Vec<Capability>,
 }
 
 impl Fault {
@@ -32,10 +32,10 @@ impl Fault {
     ///
     /// # Errors
     /// In words: what is needed, what has it, and what is there.
-    pub fn fits(&self, target: &Target) -> Result<(), String> {
+    pub(crate) fn fits(&self, target: &Target) -> Result<(), String> {
         target.has(self.layer())?;
-        self.needs().into_iter().try_for_each(|need| target.can(need))?;
-        self.accepts(target)
+        self.injection().needs().into_iter().try_for_each(|need| target.can(need))?;
+        self.injection().accepts(target)
     }
 }
 

@@ -87,7 +87,8 @@ impl PlacedRay {
             ));
         }
         let majorants = truth.majorants().clone();
-        let seen = faults.iter().fold(majorants, |bounds, fault| fault.alter_majorants(&*truth, bounds));
+        let seen =
+            faults.iter().fold(majorants, |bounds, fault| fault.injection().alter_majorants(&*truth, bounds));
         if seen == *truth.majorants() {
             return Ok(Self::plain(truth));
         }
