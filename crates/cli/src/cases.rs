@@ -1,6 +1,6 @@
 //! From paths to cases ready to run: all of them, or every reason why not.
 
-use crate::trouble::Trouble;
+use crate::command_error::CommandError;
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::run::id;
 use std::collections::HashMap;
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The case files among `paths` and, sorted, in the folders among them. `out`, where reports go, is not searched.
-pub(crate) fn find(paths: &[PathBuf], out: &Path) -> Result<Vec<PathBuf>, Trouble> {
+pub(crate) fn find(paths: &[PathBuf], out: &Path) -> Result<Vec<PathBuf>, CommandError> {
     let (mut files, mut messages) = (Vec::new(), Vec::new());
     for path in paths {
         let before = files.len();
@@ -23,7 +23,7 @@ pub(crate) fn find(paths: &[PathBuf], out: &Path) -> Result<Vec<PathBuf>, Troubl
     }
     match messages.is_empty() {
         true => Ok(distinct(files)),
-        false => Err(Trouble::Unusable(messages)),
+        false => Err(CommandError::Unusable(messages)),
     }
 }
 
@@ -63,7 +63,7 @@ fn distinct(mut files: Vec<PathBuf>) -> Vec<PathBuf> {
 }
 
 /// Every case of `files` along each of its rays.
-pub(crate) fn prepare(files: &[PathBuf], limits: &Limits, color: bool) -> Result<Vec<Prepared>, Trouble> {
+pub(crate) fn prepare(files: &[PathBuf], limits: &Limits, color: bool) -> Result<Vec<Prepared>, CommandError> {
     let (mut cases, mut messages) = (Vec::new(), Vec::new());
     for file in files {
         match CaseFile::load(file).and_then(|case| case.prepare(limits)) {
@@ -73,19 +73,19 @@ pub(crate) fn prepare(files: &[PathBuf], limits: &Limits, color: bool) -> Result
     }
     match messages.is_empty() {
         true => unambiguous(cases),
-        false => Err(Trouble::Unusable(messages)),
+        false => Err(CommandError::Unusable(messages)),
     }
 }
 
 /// Refuses two subjects of one id.
-fn unambiguous(cases: Vec<Prepared>) -> Result<Vec<Prepared>, Trouble> {
+fn unambiguous(cases: Vec<Prepared>) -> Result<Vec<Prepared>, CommandError> {
     let mut seen = HashMap::new();
     for case in &cases {
         for subject in &case.subjects {
             let id = id(case, subject);
             if let Some(other) = seen.insert(id.clone(), &case.file) {
                 let (file, name) = (&case.file, &subject.name);
-                return Err(Trouble::unusable(format!(
+                return Err(CommandError::unusable(format!(
                     "cannot tell \"{name}\" of {file} from a subject of {other}: both have the id {id} (give one another \
                      `name`, or the file another name)"
                 )));

@@ -1,4 +1,4 @@
-//! One command per file. Each gives the exit code, or the trouble that it met.
+//! One command per file. Each gives the exit code, or the error that it met.
 
 pub(crate) mod check;
 pub(crate) mod describe;

@@ -1,13 +1,13 @@
 //! Files of a report: each is written beside its place and renamed, so that it is whole or as it was.
 
-use crate::trouble::Trouble;
+use crate::command_error::CommandError;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 
 /// Makes the folder `out` and sees to it that files can be written there.
-pub(crate) fn open(out: &Path) -> Result<(), Trouble> {
+pub(crate) fn open(out: &Path) -> Result<(), CommandError> {
     let probe = beside(&out.join("probe"));
     fs::create_dir_all(out)
         .and_then(|()| fs::write(&probe, ""))
@@ -16,7 +16,7 @@ pub(crate) fn open(out: &Path) -> Result<(), Trouble> {
 }
 
 /// Writes `text` as `path`.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Trouble> {
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), CommandError> {
     let beside = beside(path);
     let written = whole(&beside, text).and_then(|()| fs::rename(&beside, path));
     written.map_err(|why| {
@@ -37,6 +37,6 @@ fn beside(path: &Path) -> PathBuf {
     path.with_file_name(format!(".{name}.tmp-{}", process::id()))
 }
 
-fn cannot_write(path: &Path, why: &io::Error) -> Trouble {
-    Trouble::Running(format!("cannot write {}: {why}", path.display()))
+fn cannot_write(path: &Path, why: &io::Error) -> CommandError {
+    CommandError::running(format!("cannot write {}: {why}", path.display()))
 }

@@ -1,12 +1,12 @@
 //! Which subjects are run.
 
-use crate::trouble::Trouble;
+use crate::command_error::CommandError;
 use freepath_harness::case::Prepared;
 use freepath_harness::run::id;
 
 /// Keeps the subjects whose id, name, case or file holds `text`, or matches it if it has a `*`. An id given in full names
 /// one subject, though it be part of another id.
-pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>, Trouble> {
+pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>, CommandError> {
     let exact = cases.iter().any(|case| case.subjects.iter().any(|subject| id(case, subject) == text));
     for case in &mut cases {
         let ids: Vec<_> = case.subjects.iter().map(|subject| id(case, subject)).collect();
@@ -23,7 +23,7 @@ pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>
     cases.retain(|case| !case.subjects.is_empty());
     match cases.is_empty() {
         false => Ok(cases),
-        true => Err(Trouble::unusable(format!("no subject matches the filter {text:?}"))),
+        true => Err(CommandError::unusable(format!("no subject matches the filter {text:?}"))),
     }
 }
 

@@ -3,26 +3,26 @@
 mod args;
 mod cases;
 mod cmd;
+mod command_error;
+mod command_name;
 mod files;
 mod filter;
 mod number;
-mod program;
 mod progress;
 mod reference;
 mod screen;
 mod session;
 mod signal;
 mod table;
-mod trouble;
 
 use args::{Verb, When};
 use clap::{CommandFactory, FromArgMatches};
+use command_error::CommandError;
 use freepath_estimators::List;
 use freepath_harness::case::Lists;
 use freepath_harness::kind::{Kind, KindOf};
 use std::io::{Write, stderr};
 use std::process::ExitCode;
-use trouble::Trouble;
 
 /// The command line under a name, with the built-in subjects and those of some lists.
 ///
@@ -80,25 +80,25 @@ impl Command {
     /// Does what the arguments of the process ask for, once in a process. The code is 2 if a name is listed twice.
     #[must_use]
     pub fn run(self) -> ExitCode {
-        let code = self.obey().unwrap_or_else(|trouble| {
+        let code = self.execute().unwrap_or_else(|error| {
             // If standard error is gone, there is nobody to tell.
-            drop(writeln!(stderr(), "{}", trouble.message()));
-            trouble.code()
+            drop(writeln!(stderr(), "{}", error.message()));
+            error.code()
         });
         ExitCode::from(code)
     }
 
-    fn obey(self) -> Result<u8, Trouble> {
-        program::call(self.name);
-        self.lists.map_or(Ok(()), Lists::install).map_err(Trouble::unusable)?;
+    fn execute(self) -> Result<u8, CommandError> {
+        command_name::set(self.name);
+        self.lists.map_or(Ok(()), Lists::install).map_err(CommandError::unusable)?;
         let matches = args::Command::command().name(self.name).get_matches();
         let args::Command { verb, color } =
             args::Command::from_arg_matches(&matches).unwrap_or_else(|why| why.exit());
-        done(&verb, color)
+        dispatch(&verb, color)
     }
 }
 
-fn done(verb: &Verb, color: When) -> Result<u8, Trouble> {
+fn dispatch(verb: &Verb, color: When) -> Result<u8, CommandError> {
     match verb {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Check(args) => cmd::check::check(args, color),
@@ -120,12 +120,12 @@ mod tests {
 
     #[test]
     fn a_name_that_is_taken_ends_the_program_before_it_starts() {
-        let refused = Command::named("freepath").list::<AnyFreePath>().obey().unwrap_err();
+        let refused = Command::named("freepath").list::<AnyFreePath>().execute().unwrap_err();
         assert_eq!(refused.code(), 2);
-        let told = refused.message();
+        let message = refused.message();
         assert!(
-            told.starts_with("error: cannot list the free_path subject `delta_tracking`: the name is taken"),
-            "{told}"
+            message.starts_with("error: cannot list the free_path subject `delta_tracking`: the name is taken"),
+            "{message}"
         );
     }
 }

@@ -1,25 +1,25 @@
 //! Standard output and the terminal.
 
 use crate::args::When;
-use crate::trouble::Trouble;
+use crate::command_error::CommandError;
 use clap::builder::styling::{AnsiColor, Style};
 use freepath_results::Verdict;
 use std::env;
 use std::io::{ErrorKind, Write, stdout};
 
-/// Writes `text` to standard output. A reader that has left, such as `head`, is no trouble.
-pub(crate) fn print(text: &str) -> Result<(), Trouble> {
+/// Writes `text` to standard output. A reader that has left, such as `head`, is no error.
+pub(crate) fn print(text: &str) -> Result<(), CommandError> {
     let mut out = stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(why) if why.kind() != ErrorKind::BrokenPipe => {
-            Err(Trouble::Running(format!("cannot write to standard output: {why}")))
+            Err(CommandError::running(format!("cannot write to standard output: {why}")))
         }
         _ => Ok(()),
     }
 }
 
 /// Writes `value` to standard output as JSON.
-pub(crate) fn print_json(value: &serde_json::Value) -> Result<(), Trouble> {
+pub(crate) fn print_json(value: &serde_json::Value) -> Result<(), CommandError> {
     print(&format!("{value:#}\n"))
 }
 

@@ -1,9 +1,9 @@
-//! What commands that draw have in common: cases in, a pool of threads, Ctrl-C, progress.
+//! The part that commands share which draw: cases in, a pool of threads, Ctrl-C, progress.
 
 use crate::args::{Output, Sampling, When};
+use crate::command_error::CommandError;
 use crate::progress::Bar;
-use crate::trouble::Trouble;
-use crate::{cases, files, filter, program, signal};
+use crate::{cases, command_name, files, filter, signal};
 use freepath_draws::simd;
 use freepath_harness::case::{Commands, Limits, Prepared};
 use freepath_harness::run::{Cancelled, Options, quoted};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A folder that can be written, and an ear for Ctrl-C.
+/// A run of draws that has a folder to write to, threads, a progress bar, and stops at Ctrl-C.
 pub(crate) struct Session {
     seed: u64,
     repro: String,
@@ -24,7 +24,7 @@ pub(crate) struct Session {
 
 impl Session {
     /// For draws under `seed`, which `repro` gives again.
-    pub(crate) fn open(output: &Output, seed: u64, repro: String) -> Result<Self, Trouble> {
+    pub(crate) fn open(output: &Output, seed: u64, repro: String) -> Result<Self, CommandError> {
         files::open(&output.out)?;
         let (jobs, bar) = (output.jobs.unwrap_or(0), Bar::new(output.quiet));
         Ok(Self { seed, repro, jobs, cancelled: signal::cancelled()?, bar })
@@ -34,15 +34,15 @@ impl Session {
     pub(crate) fn draw<T: Send>(
         self,
         draw: impl Fn(&Options) -> Result<T, Cancelled> + Sync,
-    ) -> Result<T, Trouble> {
+    ) -> Result<T, CommandError> {
         let Self { seed, repro, jobs, cancelled, bar } = self;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-        let pool = pool.map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
+        let pool = pool.map_err(|why| CommandError::running(format!("cannot start threads: {why}")))?;
         let progress = |progress, subject: &str| bar.tell(progress, subject);
         let options = Options { seed, cancelled: &cancelled, progress: &progress, repro };
-        let drawn = pool.install(|| draw(&options)).map_err(|Cancelled| Trouble::Interrupted)?;
+        let drawn = pool.install(|| draw(&options)).map_err(|Cancelled| CommandError::Interrupted)?;
         match cancelled.load(Ordering::Relaxed) {
-            true => Err(Trouble::Interrupted),
+            true => Err(CommandError::Interrupted),
             false => Ok(drawn),
         }
     }
@@ -54,8 +54,8 @@ pub(crate) fn prepared(
     args: &Sampling,
     out: &Path,
     color: When,
-) -> Result<Vec<Prepared>, Trouble> {
-    simd::check_environment().map_err(Trouble::unusable)?;
+) -> Result<Vec<Prepared>, CommandError> {
+    simd::check_environment().map_err(CommandError::unusable)?;
     let limits = Limits {
         draws: args.draws,
         effort: match (args.quick, args.thorough) {
@@ -76,7 +76,7 @@ pub(crate) fn prepared(
 
 /// The command with every flag that the results depend on.
 pub(crate) fn repro(verb: &str, paths: &[PathBuf], args: &Sampling) -> String {
-    let mut words = vec![quoted(program::name()), verb.to_string()];
+    let mut words = vec![quoted(command_name::get()), verb.to_string()];
     words.extend(paths.iter().map(|path| quoted(&path.display().to_string())));
     words.push(format!("--seed {}", args.seed));
     words.extend(args.draws.map(|draws| format!("--draws {draws}")));

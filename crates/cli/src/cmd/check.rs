@@ -2,8 +2,8 @@
 
 use crate::args::{Check, When};
 use crate::cmd::run::judge;
-use crate::program;
-use crate::trouble::Trouble;
+use crate::command_error::CommandError;
+use crate::command_name;
 use freepath_draws::simd;
 use freepath_harness::case::{CaseError, CaseFile, Limits, Prepared, SampleArguments, SubjectSpec};
 use freepath_harness::run::quoted;
@@ -11,10 +11,10 @@ use freepath_harness::samples::Escape;
 use std::io::{IsTerminal, stderr};
 
 /// Nothing is judged before the file is known to be usable.
-pub(crate) fn check(args: &Check, color: When) -> Result<u8, Trouble> {
-    simd::check_environment().map_err(Trouble::unusable)?;
-    let subject = subject(args).map_err(Trouble::unusable)?;
-    let unusable = |why: CaseError| Trouble::Unusable(vec![why.render(color.colors(stderr().is_terminal()))]);
+pub(crate) fn check(args: &Check, color: When) -> Result<u8, CommandError> {
+    simd::check_environment().map_err(CommandError::unusable)?;
+    let subject = subject(args).map_err(CommandError::unusable)?;
+    let unusable = |why: CaseError| CommandError::Unusable(vec![why.render(color.colors(stderr().is_terminal()))]);
     let cases = prepared(args, subject).map_err(unusable)?;
     judge(&cases, 1, repro(args), &args.output, color) // the seed seeds nothing
 }
@@ -48,7 +48,7 @@ fn name(value: &impl serde::Serialize) -> String {
 /// The command with every flag that the results depend on.
 fn repro(args: &Check) -> String {
     let flag = |name: &str, value: &str| format!("--{name} {}", quoted(value));
-    let mut words = vec![quoted(program::name()), "check".to_string(), quoted(&args.samples)];
+    let mut words = vec![quoted(command_name::get()), "check".to_string(), quoted(&args.samples)];
     words.push(flag("case", &args.case.display().to_string()));
     words.push(flag("as", &args.kind));
     words.extend(args.column.as_ref().map(|name| flag("column", name)));

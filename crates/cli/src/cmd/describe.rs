@@ -1,14 +1,14 @@
 //! `freepath describe`.
 
 use crate::args::Describe;
+use crate::command_error::CommandError;
 use crate::reference::{Entry, Field, entries};
-use crate::trouble::Trouble;
-use crate::{program, screen};
+use crate::{command_name, screen};
 use freepath_statistics::hypothesis::family;
 
 /// Prints all that is known of a name; of each, if it names several things. A test goes by the names of its claims as well:
 /// `own_atom`, `scatter_0`.
-pub(crate) fn describe(args: &Describe) -> Result<u8, Trouble> {
+pub(crate) fn describe(args: &Describe) -> Result<u8, CommandError> {
     let entries = entries();
     let known = entries.iter().any(|entry| entry.name == args.name);
     let name = if known { args.name.as_str() } else { family(&args.name) };
@@ -51,13 +51,13 @@ fn table(fields: &[Field]) -> String {
     fields.iter().map(line).collect()
 }
 
-fn unknown(name: &str, entries: &[Entry]) -> Trouble {
+fn unknown(name: &str, entries: &[Entry]) -> CommandError {
     let near = entries.iter().map(|entry| (strsim::damerau_levenshtein(name, &entry.name), &entry.name));
     let nearest = near.min().filter(|(distance, _)| *distance <= name.chars().count().div_ceil(3));
     let hint = nearest.map(|(_, near)| format!("did you mean `{near}`? ")).unwrap_or_default();
     let name = screen::cell(name, 60);
-    Trouble::unusable(format!(
+    CommandError::unusable(format!(
         "cannot describe `{name}`: there is no such name ({hint}`{} list` shows all)",
-        program::name()
+        command_name::get()
     ))
 }

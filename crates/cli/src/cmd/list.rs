@@ -1,13 +1,13 @@
 //! `freepath list`.
 
 use crate::args::List;
+use crate::command_error::CommandError;
 use crate::reference::{Entry, entries, page};
 use crate::screen;
-use crate::trouble::Trouble;
 use serde_json::{Value, json};
 
 /// Prints every name with one sentence; in Markdown with its parameters, and with the details of tests.
-pub(crate) fn list(args: &List) -> Result<u8, Trouble> {
+pub(crate) fn list(args: &List) -> Result<u8, CommandError> {
     let entries = entries();
     if args.json {
         let line = |entry: &Entry| json!({ "kind": entry.kind, "name": entry.name, "summary": entry.summary() });

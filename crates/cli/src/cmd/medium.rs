@@ -1,8 +1,8 @@
 //! `freepath medium`: what the subjects of a case fly through.
 
 use crate::args::{Medium as Args, When};
+use crate::command_error::CommandError;
 use crate::screen::{self, cell};
-use crate::trouble::Trouble;
 use crate::{cases, files};
 use freepath_estimators::Medium;
 use freepath_harness::case::{Commands, Limits, Prepared};
@@ -12,20 +12,19 @@ use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
 
 /// Prints a table for each medium and writes its plot.
-pub(crate) fn medium(args: &Args, color: When) -> Result<u8, Trouble> {
+pub(crate) fn medium(args: &Args, color: When) -> Result<u8, CommandError> {
     let limits = Limits { allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let found = cases::find(&args.cases, &args.out)?;
     let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
     files::open(&args.out)?;
     let media: Vec<MediumResult> = cases.iter().map(medium_result).collect();
     if args.json {
-        let all = serde_json::to_value(&media).map_err(|why| Trouble::Running(why.to_string()))?;
+        let all = serde_json::to_value(&media).map_err(CommandError::running)?;
         screen::print_json(&all)?;
     }
     for (case, medium) in cases.iter().zip(&media) {
         let name = name(medium);
-        freepath_report::write_medium(medium, &medium.case, &name, &args.out)
-            .map_err(|why| Trouble::Running(why.to_string()))?;
+        freepath_report::write_medium(medium, &medium.case, &name, &args.out).map_err(CommandError::running)?;
         if !args.json {
             let plot = args.out.join(format!("{name}.png"));
             screen::print(&format!("{}plot: {}\n\n", words(case, medium, args.rows), plot.display()))?;

@@ -1,9 +1,9 @@
 //! `freepath microscope`: how small the bias must be, by scrambled Sobol points.
 
 use crate::args::{Microscope, When};
+use crate::command_error::CommandError;
 use crate::screen::{self, cell};
-use crate::trouble::Trouble;
-use crate::{cases, filter, program};
+use crate::{cases, command_name, filter};
 use freepath_harness::case::{Commands, Limits, Prepared, PreparedSubject};
 use freepath_harness::microscope::{Focus, LEVEL, Sight, look};
 use freepath_harness::run::id;
@@ -11,8 +11,8 @@ use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
 /// Prints what is seen of each subject.
-pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> {
-    freepath_draws::simd::check_environment().map_err(Trouble::unusable)?;
+pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, CommandError> {
+    freepath_draws::simd::check_environment().map_err(CommandError::unusable)?;
     let limits = Limits { allow_paths: args.allow_paths, commands: Commands::Named, ..Limits::default() };
     let found = cases::find(&args.paths, Path::new(""))?;
     let cases = cases::prepare(&found, &limits, color.colors(stderr().is_terminal()))?;
@@ -21,7 +21,7 @@ pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> 
         None => cases,
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.jobs.unwrap_or(0));
-    let pool = pool.build().map_err(|why| Trouble::Running(format!("cannot start threads: {why}")))?;
+    let pool = pool.build().map_err(|why| CommandError::running(format!("cannot start threads: {why}")))?;
     let focus = Focus { points: args.points, scrambles: args.scrambles, seed: args.seed };
     for case in &cases {
         for prepared in &case.subjects {
@@ -33,7 +33,7 @@ pub(crate) fn microscope(args: &Microscope, color: When) -> Result<u8, Trouble> 
     screen::print(&format!(
         "{scrambles} scrambles of {points} points, seed {seed}; an interval misses the bias with a probability of {LEVEL}. Advisory: \
          `{} run` judges.\n",
-        program::name()
+        command_name::get()
     ))?;
     Ok(0)
 }

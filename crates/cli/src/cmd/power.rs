@@ -1,21 +1,21 @@
 //! `freepath power`: how many draws each planted fault needs to be seen, and what sees it.
 
 use crate::args::{Power, When};
+use crate::command_error::CommandError;
 use crate::session::{Session, prepared, repro};
 use crate::table::power::{grids, summary};
-use crate::trouble::Trouble;
 use crate::{files, screen};
 use freepath_harness::power::{self, exit_code};
 use freepath_results::{PowerResults, Verdict};
 use std::io::{IsTerminal, stdout};
 
 /// Nothing is written before every draw is done.
-pub(crate) fn power(args: &Power, color: When) -> Result<u8, Trouble> {
+pub(crate) fn power(args: &Power, color: When) -> Result<u8, CommandError> {
     let Power { paths, sampling, output, markdown } = args;
     let cases = prepared(paths, sampling, &output.out, color)?;
     let session = Session::open(output, sampling.seed, repro("power", paths, sampling))?;
     let results = session.draw(|options| power::power(&cases, options))?;
-    let text = serde_json::to_string_pretty(&results).map_err(|why| Trouble::Running(why.to_string()))? + "\n";
+    let text = serde_json::to_string_pretty(&results).map_err(CommandError::running)? + "\n";
     let file = output.out.join("power.json");
     files::write(&file, &text)?;
     match (output.json, markdown) {
@@ -29,7 +29,7 @@ pub(crate) fn power(args: &Power, color: When) -> Result<u8, Trouble> {
     Ok(exit_code(&results))
 }
 
-fn show(quiet: bool, color: When, results: &PowerResults) -> Result<(), Trouble> {
+fn show(quiet: bool, color: When, results: &PowerResults) -> Result<(), CommandError> {
     let color = color.colors(stdout().is_terminal());
     let paint = |line: &str, good| {
         if color { screen::painted(line, Verdict::Fail, good) } else { line.to_string() }

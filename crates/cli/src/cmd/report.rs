@@ -1,9 +1,9 @@
 //! `freepath report`: what a run found, shown once more. The files may come from anywhere.
 
 use crate::args::Report;
+use crate::command_error::CommandError;
 use crate::files;
 use crate::screen::{self, cell};
-use crate::trouble::Trouble;
 use freepath_report::Beside;
 use freepath_results::{POWER_SCHEMA_VERSION, PowerResults, Results, SCHEMA_VERSION, SOAK_VERSION, SoakResults};
 use serde::de::DeserializeOwned;
@@ -17,9 +17,9 @@ const MOST_BYTES: u64 = 256 << 20;
 const MOST_BESIDE: u64 = 64 << 20;
 
 /// Writes the report of the results beside them, or where it is told to.
-pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
-    let text = text(&args.results, MOST_BYTES).map_err(Trouble::unusable)?;
-    let results = parsed(&args.results, &text).map_err(Trouble::unusable)?;
+pub(crate) fn report(args: &Report) -> Result<u8, CommandError> {
+    let text = text(&args.results, MOST_BYTES).map_err(CommandError::unusable)?;
+    let results = parsed(&args.results, &text).map_err(CommandError::unusable)?;
     let folder = match args.results.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -35,9 +35,9 @@ pub(crate) fn report(args: &Report) -> Result<u8, Trouble> {
 }
 
 /// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
-pub(crate) fn page(results: &Results, run: &str, beside: &Beside, out: &Path) -> Result<(), Trouble> {
+pub(crate) fn page(results: &Results, run: &str, beside: &Beside, out: &Path) -> Result<(), CommandError> {
     let options = freepath_report::Options { run: Some(run.to_string()), ..Default::default() };
-    options.write(results, beside, out).map_err(|why| Trouble::Running(why.to_string()))
+    options.write(results, beside, out).map_err(CommandError::running)
 }
 
 /// What `freepath power` and `freepath soak` left in `folder`. What cannot be read is left out, and the page says so.

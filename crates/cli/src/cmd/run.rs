@@ -2,8 +2,8 @@
 
 use crate::args::{Output, Run, When};
 use crate::cmd::report;
+use crate::command_error::CommandError;
 use crate::session::{Session, prepared, repro};
-use crate::trouble::Trouble;
 use crate::{files, screen, table};
 use freepath_draws::simd;
 use freepath_harness::case::Prepared;
@@ -14,7 +14,7 @@ use std::io::{IsTerminal, stdout};
 use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
-pub(crate) fn run(args: &Run, color: When) -> Result<u8, Trouble> {
+pub(crate) fn run(args: &Run, color: When) -> Result<u8, CommandError> {
     let Run { paths, sampling, output } = args;
     let cases = prepared(paths, sampling, &output.out, color)?;
     judge(&cases, sampling.seed, repro("run", paths, sampling), output, color)
@@ -27,11 +27,11 @@ pub(crate) fn judge(
     repro: String,
     args: &Output,
     color: When,
-) -> Result<u8, Trouble> {
+) -> Result<u8, CommandError> {
     let session = Session::open(args, seed, repro)?;
     let start = Instant::now();
     let outcome = session.draw(|options| run::run(cases, options))?;
-    let text = freepath_report::json(&outcome.results).map_err(running)?;
+    let text = freepath_report::json(&outcome.results).map_err(CommandError::running)?;
     show(args, color, &outcome, &text)?;
     write(args, &outcome, &text, start)?;
     if !args.json && !args.quiet {
@@ -40,11 +40,7 @@ pub(crate) fn judge(
     Ok(exit_code(&outcome.results))
 }
 
-fn running(why: impl std::fmt::Display) -> Trouble {
-    Trouble::Running(why.to_string())
-}
-
-fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(), Trouble> {
+fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(), CommandError> {
     if args.json {
         return screen::print(text);
     }
@@ -54,7 +50,7 @@ fn show(args: &Output, color: When, outcome: &Outcome, text: &str) -> Result<(),
 }
 
 /// The page comes last: whoever finds it finds the rest. It is a view of results.json, to the last digit.
-fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result<(), Trouble> {
+fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result<(), CommandError> {
     let run = freepath_report::run_id(text);
     let timings = Timings {
         run: run.clone(),
@@ -63,10 +59,10 @@ fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result
         isa: simd::isa().name().into(),
         subjects: outcome.timings.clone(),
     };
-    let clock = serde_json::to_string_pretty(&timings).map_err(running)? + "\n";
+    let clock = serde_json::to_string_pretty(&timings).map_err(CommandError::running)? + "\n";
     files::write(&args.out.join("results.json"), text)?;
     files::write(&args.out.join("timings.json"), &clock)?;
-    let results = serde_json::from_str(text).map_err(running)?;
-    let timings = Some(serde_json::from_str(&clock).map_err(running)?);
+    let results = serde_json::from_str(text).map_err(CommandError::running)?;
+    let timings = Some(serde_json::from_str(&clock).map_err(CommandError::running)?);
     report::page(&results, &run, &Beside { timings, ..report::beside(&args.out) }, &args.out)
 }

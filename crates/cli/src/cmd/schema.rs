@@ -1,11 +1,11 @@
 //! `freepath schema`.
 
+use crate::command_error::CommandError;
 use crate::screen;
-use crate::trouble::Trouble;
 use freepath_harness::case;
 
 /// Prints the JSON schema of a case.
-pub(crate) fn schema() -> Result<u8, Trouble> {
+pub(crate) fn schema() -> Result<u8, CommandError> {
     screen::print_json(&case::schema())?;
     Ok(0)
 }

@@ -1,11 +1,11 @@
-//! Why the program ends without a result, and its exit code.
+//! The error of a command that ends without a result, and its exit code.
 
 use std::fmt::Display;
 
-/// Why a command ended early.
+/// The reason why a command ended early.
 #[derive(Debug)]
-pub(crate) enum Trouble {
-    /// What it was given cannot be used: messages, ready to be shown.
+pub(crate) enum CommandError {
+    /// Unusable input: messages, ready to be shown.
     Unusable(Vec<String>),
     /// Something went wrong on the way.
     Running(String),
@@ -13,10 +13,15 @@ pub(crate) enum Trouble {
     Interrupted,
 }
 
-impl Trouble {
+impl CommandError {
     /// One sentence about input that cannot be used.
     pub(crate) fn unusable(sentence: impl Display) -> Self {
         Self::Unusable(vec![format!("error: {sentence}")])
+    }
+
+    /// Something that went wrong on the way.
+    pub(crate) fn running(sentence: impl Display) -> Self {
+        Self::Running(sentence.to_string())
     }
 
     /// The exit code.
@@ -28,7 +33,7 @@ impl Trouble {
         }
     }
 
-    /// What to show.
+    /// The text to show.
     pub(crate) fn message(&self) -> String {
         match self {
             Self::Unusable(messages) => messages.join("\n\n"),
