@@ -152,8 +152,9 @@ pub fn say_what_is_left_out() {
         return;
     }
     let beyond = format!("/proc/{}/fd/2", parent());
-    let told = std::fs::OpenOptions::new().append(true).open(beyond);
-    if !told.is_ok_and(|mut out| std::io::Write::write_all(&mut out, format!("\n{lines}").as_bytes()).is_ok()) {
+    let appended = std::fs::OpenOptions::new().append(true).open(beyond);
+    if !appended.is_ok_and(|mut out| std::io::Write::write_all(&mut out, format!("\n{lines}").as_bytes()).is_ok())
+    {
         eprint!("{lines}");
     }
 }

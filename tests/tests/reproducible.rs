@@ -11,8 +11,8 @@ use freepath_tests::{case_paths, load, parse, results};
 
 fn small() -> Vec<Prepared> {
     let limits = Limits { draws: Some(40_000), ..Limits::default() };
-    let some = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
-    let wanted = |path: &std::path::PathBuf| some.iter().any(|name| path.to_string_lossy().contains(name));
+    let names = ["gaussian", "sinusoid", "head.", "chromatic.", "short_majorant"];
+    let wanted = |path: &std::path::PathBuf| names.iter().any(|name| path.to_string_lossy().contains(name));
     let shipped = case_paths("cases").into_iter().filter(wanted).flat_map(|path| load(&path, &limits));
     shipped.chain(parse(GROWING)).collect()
 }

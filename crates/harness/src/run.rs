@@ -126,7 +126,7 @@ fn plan_stage_two(trial: &Trial, options: &Options) {
 
 /// One subject through stage 1 and, if it goes on, stage 2: as in a run, but for the decision, which is not made. With other
 /// draws than the case's if `draws` says so: below a block, each block is cut short.
-pub(crate) fn tried<'a>(
+pub(crate) fn run_stages<'a>(
     case: &'a Prepared,
     prepared: &'a PreparedSubject,
     draws: Option<u64>,

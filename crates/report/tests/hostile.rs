@@ -30,7 +30,7 @@ fn survives_beside(results: &Results, beside: &Beside, name: &str) -> String {
 }
 
 /// A few subjects of each kind, for speed.
-fn some() -> Results {
+fn few_subjects() -> Results {
     let (mut results, _) = support::run();
     results.results.retain(|r| r.medium == 1 || r.medium == 11 || !r.faults.is_empty());
     results
@@ -38,7 +38,7 @@ fn some() -> Results {
 
 /// Every text replaced.
 fn attacked() -> Results {
-    let mut results = some();
+    let mut results = few_subjects();
     (results.version, results.repro) = (ATTACK.into(), ATTACK.into());
     for medium in &mut results.media {
         (medium.case, medium.file, medium.medium) = (ATTACK.into(), ATTACK.into(), ATTACK.into());
@@ -113,7 +113,7 @@ fn without_faults(results: &Results) -> Vec<freepath_results::SubjectResult> {
 
 /// Every series and number replaced.
 fn flooded(value: f64, length: usize) -> Results {
-    let mut results = some();
+    let mut results = few_subjects();
     results.results.retain(|r| r.medium == 11 || r.order.is_some() || !r.faults.is_empty() && r.law.is_none());
     let x = Real(value);
     for r in &mut results.results {
@@ -173,7 +173,7 @@ fn flooded_beside(value: f64, length: usize) -> Beside {
 
 #[test]
 fn a_p_value_or_ratio_that_is_not_a_number_is_never_called_right() {
-    let mut results = some();
+    let mut results = few_subjects();
     results.results.retain(|r| r.law.is_some() && r.faults.is_empty());
     results.results.truncate(1);
     results.results[0].series.life_table.iter_mut().for_each(|t| t.p.fill(Real(f64::NAN)));
@@ -202,7 +202,7 @@ fn no_length_breaks_a_plot() {
 
 #[test]
 fn columns_of_unequal_length_are_drawn_as_far_as_they_go() {
-    let mut results = some();
+    let mut results = few_subjects();
     for r in &mut results.results {
         r.series.cdf.iter_mut().for_each(|s| s.t.truncate(9));
         r.series.histogram.iter_mut().for_each(|s| s.density.truncate(3));
@@ -215,7 +215,7 @@ fn columns_of_unequal_length_are_drawn_as_far_as_they_go() {
 
 #[test]
 fn absurd_texts_are_cut() {
-    let mut results = some();
+    let mut results = few_subjects();
     results.results.truncate(3);
     let long = "x".repeat(1_000_000);
     for r in &mut results.results {
@@ -228,7 +228,7 @@ fn absurd_texts_are_cut() {
 
 #[test]
 fn an_empty_run_and_a_lost_medium_are_shown() {
-    let mut results = some();
+    let mut results = few_subjects();
     results.media.clear();
     assert!(survives(&results, "lost").contains("Medium not in the results"));
     results.results.clear();

@@ -57,10 +57,10 @@ fn a_peak_above_the_majorant_that_no_sample_meets_is_told_by_the_subjects() {
     put(&folder, "ramp.json", &peak.replace("1.5 }", "2 }"));
     let (code, out, err) = run(&folder, &["run", "ramp.json", "--draws", "500000"]);
     assert_eq!((code, err.as_str()), (1, ""));
-    let (_, told) = out.split_once(" look-ups lie above the majorant, the worst at t = 1.234").unwrap();
-    let (mu, majorant) = told.lines().next().unwrap().split_once(" and the majorant ").unwrap();
+    let (_, numbers) = out.split_once(" look-ups lie above the majorant, the worst at t = 1.234").unwrap();
+    let (mu, majorant) = numbers.lines().next().unwrap().split_once(" and the majorant ").unwrap();
     let mu: f64 = mu.rsplit(' ').next().unwrap().parse().unwrap();
-    assert!((2.0..=6.0).contains(&mu) && majorant == "2", "{told}");
+    assert!((2.0..=6.0).contains(&mu) && majorant == "2", "{numbers}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `freepath check`: what it takes, says and refuses.
 
-use crate::support::{folder, freepath, put, run, told};
+use crate::support::{decoded, folder, freepath, put, run};
 use freepath_draws::Key;
 use freepath_draws::random::exponential;
 use freepath_results::Results;
@@ -72,7 +72,7 @@ fn a_wrong_sampler_fails_and_the_repro_says_how_to_see_it_again() {
     );
     let command = command.replacen("freepath", env!("CARGO_BIN_EXE_freepath"), 1) + " --json";
     let again = std::process::Command::new("sh").arg("-c").arg(command).current_dir(&folder).output().unwrap();
-    assert!(told(&again).1 == out);
+    assert!(decoded(&again).1 == out);
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn piped(folder: &Path, input: &[u8], more: &[&str]) -> (i32, String, String) {
     // A child that has refused its arguments reads nothing.
     drop(stdin.write_all(input));
     drop(stdin);
-    told(&child.wait_with_output().unwrap())
+    decoded(&child.wait_with_output().unwrap())
 }
 
 #[test]
@@ -205,7 +205,7 @@ fn standard_input_that_is_nothing_to_read_is_a_subject_error() {
             env!("CARGO_BIN_EXE_freepath")
         );
         let done = std::process::Command::new("sh").args(["-c", &command]).current_dir(&folder).output().unwrap();
-        let (code, out, _) = told(&done);
+        let (code, out, _) = decoded(&done);
         assert!(
             code == 1 && out.contains("subject_error") && out.contains("standard input"),
             "{redirection}: {out}"
@@ -294,6 +294,6 @@ fn a_right_sampler_in_single_precision_passes_at_a_hundred_million_draws() {
     stdin.write_all(&[b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes()].concat()).unwrap();
     single(N).for_each(|t| stdin.write_all(&t.to_le_bytes()).unwrap());
     drop(stdin);
-    let (code, out, err) = told(&child.wait_with_output().unwrap());
+    let (code, out, err) = decoded(&child.wait_with_output().unwrap());
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
 }

@@ -1,7 +1,7 @@
 //! Ctrl-C.
 #![cfg(unix)]
 
-use crate::support::{contents, freepath, told, with_good};
+use crate::support::{contents, decoded, freepath, with_good};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -17,7 +17,7 @@ fn ctrl_c_ends_a_run_soon_and_leaves_the_earlier_report() {
     let asked = Instant::now();
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(kill.success());
-    let (code, out, err) = told(&child.wait_with_output().unwrap());
+    let (code, out, err) = decoded(&child.wait_with_output().unwrap());
     assert!(asked.elapsed() < Duration::from_secs(10));
     assert_eq!((code, out.as_str()), (130, ""));
     assert!(err.contains("interrupted"), "{err}");

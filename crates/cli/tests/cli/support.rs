@@ -51,11 +51,11 @@ pub(crate) fn freepath(folder: &Path, args: &[&str]) -> Command {
 
 /// Exit code, standard output and standard error.
 pub(crate) fn run(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    told(&freepath(folder, args).output().unwrap())
+    decoded(&freepath(folder, args).output().unwrap())
 }
 
-/// The same of a process that has ended.
-pub(crate) fn told(output: &Output) -> (i32, String, String) {
+/// Exit code and text of a process that has ended.
+pub(crate) fn decoded(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
     (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
 }

@@ -14,8 +14,8 @@ fn case(medium: &str) -> String {
     format!("{{ \"title\": \"Rows\", \"draws\": 100000,\n \"medium\": {medium},\n \"subjects\": [{of}] }}")
 }
 
-/// What a run and `freepath medium` say of it, but for the words of the medium.
-fn told(folder: &Path, medium: &str) -> Value {
+/// The results of a run, but for the words of the medium.
+fn without_words(folder: &Path, medium: &str) -> Value {
     put(folder, "case.json", &case(medium));
     let (code, out, err) = run(folder, &["run", "case.json", "--json"]);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
@@ -43,9 +43,9 @@ fn a_table_is_the_medium_that_its_rows_are() {
     put(&folder, "data/mu.csv", "z,t,mu\n9,0,0.1\n9,.75,2.7\n9,7.5e-1,0.3\n9,2,1.9\n");
     npy(&folder, "steps.npy", &[[0.0, 2.5], [0.3, 0.0], [1.1, 1.3]]);
     let linear = r#"{ "table": { "file": "data/mu.csv", "interpolation": "linear" } }"#;
-    assert_eq!(told(&folder, linear), told(&folder, LINEAR));
+    assert_eq!(without_words(&folder, linear), without_words(&folder, LINEAR));
     let constant = r#"{ "table": { "file": "steps.npy", "interpolation": "constant", "length": 2 } }"#;
-    assert_eq!(told(&folder, constant), told(&folder, CONSTANT));
+    assert_eq!(without_words(&folder, constant), without_words(&folder, CONSTANT));
 }
 
 #[test]

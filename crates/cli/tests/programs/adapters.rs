@@ -1,7 +1,7 @@
 //! The adapters: their examples are built and judged, in every kind of medium, and the README's commands give verdicts.
 
 use crate::place::{Test, path, root};
-use crate::support::{folder, freepath, put, told};
+use crate::support::{decoded, folder, freepath, put};
 use crate::tools::Tool;
 use freepath_results::{Results, SubjectResult, Verdict};
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ fn as_expected(cases: &[&str]) {
     for case in cases {
         let case = format!("adapters/examples/{case}.json");
         let (code, out, err) =
-            told(&freepath(&folder, &["run", &case, "--allow-commands"]).env("PATH", path()).output().unwrap());
+            decoded(&freepath(&folder, &["run", &case, "--allow-commands"]).env("PATH", path()).output().unwrap());
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         assert!(out.contains(" pass ") && out.contains(" fail "), "{out}");
     }
@@ -104,7 +104,7 @@ fn every_table(argv: &[&str]) {
     cases.push("adapters/examples/channels.json".into());
     let mut args: Vec<&str> = vec!["run", "--allow-commands", "--json"];
     args.extend(cases.iter().map(String::as_str));
-    let (_, out, err) = told(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
+    let (_, out, err) = decoded(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
     let results: Results = serde_json::from_str(&out).unwrap_or_else(|why| panic!("{why}: {err}"));
     assert_eq!(results.results.len(), 2 * media.len() + 1);
     let wrong = |of: &&SubjectResult| of.verdict != Verdict::Pass;
@@ -156,7 +156,7 @@ fn said(line: &str) -> String {
     }
     let mut command = Command::new("sh");
     command.args(["-e", "-c", &line]).current_dir(root()).env("PATH", path()).env_remove("FREEPATH_ISA");
-    let (code, out, err) = told(&command.output().unwrap());
+    let (code, out, err) = decoded(&command.output().unwrap());
     assert_eq!(code, 0, "{line}: {out}{err}");
     out
 }
@@ -165,7 +165,7 @@ fn said(line: &str) -> String {
 fn what_is_left_out_is_told() {
     let mut tests = Command::new(std::env::current_exe().unwrap());
     tests.arg("python_reads_every_table").env("FREEPATH_PYTHON", "/no/such/python");
-    let (code, out, err) = told(&tests.output().unwrap());
+    let (code, out, err) = decoded(&tests.output().unwrap());
     assert!(code == 0 && out.contains("ok. 0 passed; 0 failed; 1 left out"), "{out}{err}");
     let words =
         "LEFT OUT: python_reads_every_table was not tested; there is no python3 with NumPy (install python3-numpy";

@@ -2,7 +2,7 @@
 
 use crate::adapters::{CHANNELS, build, copied, voxels};
 use crate::place::{Test, path, root};
-use crate::support::{freepath, put, told};
+use crate::support::{decoded, freepath, put};
 use crate::tools::Tool;
 use freepath_estimators::Extinction;
 use freepath_harness::case::{CaseFile, Commands, Limits};
@@ -65,7 +65,7 @@ fn every_medium(argv: &[&str]) {
     let cases: Vec<String> = (0..media.len()).map(|i| format!("adapters/examples/medium_{i}.json")).collect();
     let args: Vec<&str> =
         ["run", "--allow-commands"].into_iter().chain(cases.iter().map(String::as_str)).collect();
-    let (_, out, err) = told(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
+    let (_, out, err) = decoded(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
     assert_eq!(err, "", "{out}");
     for (i, shown) in shown.iter().enumerate() {
         let found = std::fs::read_to_string(folder.join(format!("adapters/examples/mu_{i}"))).expect(&out);
@@ -98,7 +98,7 @@ fn shown(folder: &Path, i: usize, medium: &str, argv: &[&str]) -> Shown {
     );
     let file = format!("adapters/examples/medium_{i}.json");
     put(folder, &file, &case);
-    let (code, out, err) = told(&freepath(folder, &["medium", &file, "--json"]).output().unwrap());
+    let (code, out, err) = decoded(&freepath(folder, &["medium", &file, "--json"]).output().unwrap());
     assert_eq!((code, err.as_str()), (0, ""));
     let shown: Vec<freepath_results::MediumResult> = serde_json::from_str(&out).unwrap();
     let series = &shown[0].series[0];
@@ -141,7 +141,7 @@ fn a_mistake_in_python_is_told() {
         put(&folder, "adapters/python/mine.py", &format!("import freepath\nimport numpy as np\n{body}\n"));
         put(&folder, "adapters/python/case.json", &case.replace("KIND", kind));
         let args = ["run", "adapters/python/case.json", "--allow-commands"];
-        let (code, out, err) = told(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
+        let (code, out, err) = decoded(&freepath(&folder, &args).env("PATH", path()).output().unwrap());
         assert_eq!(err, "", "{out}");
         (code, out)
     };

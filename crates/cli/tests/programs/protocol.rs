@@ -1,4 +1,4 @@
-//! What a program is told, and that it needs leave to run.
+//! The request to a program, and that it needs leave to run.
 
 use crate::place::Test;
 use crate::scripts::{NUMBER, RIGHT, ready};
@@ -124,8 +124,8 @@ fn channels_are_told_as_they_are() {
     assert_eq!(run(&folder, &["run", "--allow-commands"]).0, 1, "these are no rows of two channels");
     let request = std::fs::read_to_string(folder.join("cases/request")).unwrap();
     let request: serde_json::Value = serde_json::from_str(&request).unwrap();
-    let told = [&request["sigma_t"], &request["sigma_s"], &request["length"], &request["table"]];
-    assert_eq!(told.map(ToString::to_string), ["[2.0,4.0]", "[1.0,4.0]", "2.0", "null"]);
+    let stated = [&request["sigma_t"], &request["sigma_s"], &request["length"], &request["table"]];
+    assert_eq!(stated.map(ToString::to_string), ["[2.0,4.0]", "[1.0,4.0]", "2.0", "null"]);
 }
 
 fn the_number_of_threads_does_not_matter() {

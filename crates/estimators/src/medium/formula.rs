@@ -103,10 +103,10 @@ mod tests {
 
     #[test]
     fn a_step_is_integrated_and_what_is_left_of_error_is_told() {
-        let told = formula("1 + 2*step(1.1, t)", 3.0, &[1.1]).unwrap();
-        assert!((told.tau(2.3) - 4.7).abs() < 1e-13 && told.tau_error() < 1e-12);
-        let untold = formula("1 + 2*step(1.1, t)", 3.0, &[]).unwrap();
-        assert!((untold.tau(2.3) - 4.7).abs() <= untold.tau_error() + 1e-14, "{}", untold.tau(2.3) - 4.7);
+        let stated = formula("1 + 2*step(1.1, t)", 3.0, &[1.1]).unwrap();
+        assert!((stated.tau(2.3) - 4.7).abs() < 1e-13 && stated.tau_error() < 1e-12);
+        let unstated = formula("1 + 2*step(1.1, t)", 3.0, &[]).unwrap();
+        assert!((unstated.tau(2.3) - 4.7).abs() <= unstated.tau_error() + 1e-14, "{}", unstated.tau(2.3) - 4.7);
         assert!(refusal("1 + step(0.5, 1e5*t - floor(1e5*t))", 3.0).contains("smooth between the breaks"));
     }
 

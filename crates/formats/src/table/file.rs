@@ -34,7 +34,7 @@ impl TableFile {
     /// further than its first row.
     pub fn open(path: &Path, wanted: &TableRequest) -> Result<Self, ReadError> {
         let begin = || {
-            let format = wanted.format.map_or_else(|| told(path), Ok)?;
+            let format = wanted.format.map_or_else(|| by_ending(path), Ok)?;
             let Regular { file, size } = Regular::open(path)?;
             let begun = Begun::new(Box::new(file), format, wanted)?;
             let rows = begun.layout.whole(begun.rows, size)?;
@@ -101,8 +101,8 @@ fn shown(path: Option<&Path>) -> &Path {
     path.unwrap_or(Path::new("standard input"))
 }
 
-/// What the ending of the name tells.
-fn told(path: &Path) -> Result<Format, Refusal> {
+/// The format that the ending of the name tells.
+fn by_ending(path: &Path) -> Result<Format, Refusal> {
     match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
         Some("f64") => Ok(Format::F64),
         Some("npy") => Ok(Format::Npy),

@@ -5,7 +5,7 @@ use super::outcome::Outcome;
 use super::words::words;
 use crate::case::{Prepared, PreparedSubject};
 use crate::fault::Expectation;
-use crate::run::{Cancelled, Options, expected, id, tried, whole};
+use crate::run::{Cancelled, Options, expected, id, run_stages, whole};
 use freepath_results::{FEWEST_DRAWS, PowerRow, Role, Rung};
 use freepath_results::{Reason, Verdict};
 use freepath_statistics::claim::Design;
@@ -53,7 +53,7 @@ struct Found {
 
 /// One subject at full effort and, if it must be caught and is, at growing draws.
 pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options) -> Result<PowerRow, Cancelled> {
-    let trial = tried(case, prepared, None, options)?;
+    let trial = run_stages(case, prepared, None, options)?;
     let (design, draws) = (trial.subject.design(&trial.plan), whole(prepared.draws));
     let aim = Aim::of(prepared, design);
     let full = Outcome::of(&trial, draws, aim.family());
@@ -77,7 +77,7 @@ fn climb(
 ) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
     let (mut draws, mut ladder) = (FEWEST_DRAWS, Vec::new());
     while draws < whole(prepared.draws) {
-        let outcome = Outcome::of(&tried(case, prepared, Some(draws), options)?, draws, FAMILY);
+        let outcome = Outcome::of(&run_stages(case, prepared, Some(draws), options)?, draws, FAMILY);
         ladder.push(outcome.rung.clone());
         if fails(&outcome.decision) {
             return Ok((Some(outcome), ladder));

@@ -1,4 +1,4 @@
-//! What programs say on standard error.
+//! The standard error of programs.
 
 use std::sync::{Mutex, PoisonError};
 

@@ -1,4 +1,4 @@
-//! A process in a group of its own: fed, heard and killed as a whole, without a deadlock and without waiting for ever.
+//! A process in a group of its own: fed, read and killed as a whole, without a deadlock and without waiting for ever.
 
 use super::limits::TOTAL_PER_IDLE;
 use super::log::{Log, last_line};
@@ -19,7 +19,7 @@ const SLICE: Duration = Duration::from_millis(50);
 /// Bytes of the beginning of standard output and of the end of standard error that messages look at.
 const GLANCE: usize = 2048;
 
-/// How a program is started.
+/// A start of a program.
 pub(super) struct Start<'a> {
     pub(super) argv: &'a [String],
     pub(super) folder: &'a Path,
@@ -87,8 +87,8 @@ impl Process<'_> {
     pub(super) fn fill(&mut self, bytes: &mut [u8]) -> Result<(), Refusal> {
         let mut filled = 0;
         while filled < bytes.len() {
-            match self.some(&mut bytes[filled..])? {
-                0 => return Err(self.too_few()),
+            match self.read_stdout(&mut bytes[filled..])? {
+                0 => return Err(self.short_output()),
                 more => filled += more,
             }
         }
@@ -97,19 +97,19 @@ impl Process<'_> {
 
     /// Sees to it that there is nothing after the last byte, and that the program ends well.
     pub(super) fn finish(&mut self) -> Result<(), Refusal> {
-        if self.some(&mut [0])? > 0 {
-            let cause = format!("it wrote more than {} bytes{}", self.wanted, self.looks());
+        if self.read_stdout(&mut [0])? > 0 {
+            let cause = format!("it wrote more than {} bytes{}", self.wanted, self.text_remark());
             return Err(Refusal::new(cause, SHAPE));
         }
-        let status = self.end()?;
-        if status.success() { Ok(()) } else { Err(self.badly(status)) }
+        let status = self.wait_for_exit()?;
+        if status.success() { Ok(()) } else { Err(self.failure(status)) }
     }
 
     /// The next bytes of standard output, none at its end; meanwhile the request is written and standard error read.
-    fn some(&mut self, bytes: &mut [u8]) -> Result<usize, Refusal> {
+    fn read_stdout(&mut self, bytes: &mut [u8]) -> Result<usize, Refusal> {
         self.silent = Duration::ZERO;
         loop {
-            if !self.wait(true)? {
+            if !self.poll_pipes(true)? {
                 continue;
             }
             match self.stdout.read(bytes) {
@@ -126,8 +126,8 @@ impl Process<'_> {
     }
 
     /// Waits a little, and serves the other pipes: whether standard output can be read, if that is asked for.
-    fn wait(&mut self, output: bool) -> Result<bool, Refusal> {
-        self.limits()?;
+    fn poll_pipes(&mut self, output: bool) -> Result<bool, Refusal> {
+        self.check_limits()?;
         let (started, timeout) = (Instant::now(), Timespec { tv_sec: 0, tv_nsec: SLICE.subsec_nanos().into() });
         let (readable, writable) = (PollFlags::IN, PollFlags::OUT);
         let mut fds = Vec::with_capacity(3);
@@ -147,15 +147,15 @@ impl Process<'_> {
         self.waited += started.elapsed();
         self.silent = if out || err { Duration::ZERO } else { self.silent + started.elapsed() };
         if err {
-            self.hear();
+            self.read_stderr();
         }
         if request {
-            self.ask();
+            self.write_request();
         }
         Ok(out)
     }
 
-    fn limits(&self) -> Result<(), Refusal> {
+    fn check_limits(&self) -> Result<(), Refusal> {
         let idle = self.start.idle;
         let total = idle.saturating_mul(TOTAL_PER_IDLE);
         let seconds = |limit: Duration| format!("{} s", limit.as_secs_f64());
@@ -177,7 +177,7 @@ impl Process<'_> {
     }
 
     /// Reads some of standard error.
-    fn hear(&mut self) {
+    fn read_stderr(&mut self) {
         let (Some(pipe), mut said) = (&mut self.stderr, [0; 4096]) else { return };
         match pipe.read(&mut said) {
             Ok(n) if n > 0 => {
@@ -191,7 +191,7 @@ impl Process<'_> {
     }
 
     /// Writes some of the request, and closes standard input after it. A program need not read it.
-    fn ask(&mut self) {
+    fn write_request(&mut self) {
         let Some(pipe) = &mut self.stdin else { return };
         match pipe.write(&self.request[self.written..]) {
             Ok(n) => self.written += n,
@@ -204,7 +204,7 @@ impl Process<'_> {
     }
 
     /// Waits for the end; what it has left running is killed.
-    fn end(&mut self) -> Result<ExitStatus, Refusal> {
+    fn wait_for_exit(&mut self) -> Result<ExitStatus, Refusal> {
         let unknown = |why: std::io::Error| Refusal::new(format!("its end is not known: {why}"), "exit code 0");
         let looked = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
         loop {
@@ -212,37 +212,37 @@ impl Process<'_> {
             if ended.map_err(|why| unknown(why.into()))?.is_some() {
                 break;
             }
-            self.pause()?;
+            self.wait_briefly()?;
         }
-        self.drain();
+        self.drain_stderr();
         self.kill().map_err(unknown)
     }
 
     /// Waits a moment: for standard error, or for nothing.
-    fn pause(&mut self) -> Result<(), Refusal> {
+    fn wait_briefly(&mut self) -> Result<(), Refusal> {
         if self.stderr.is_none() && self.stdin.is_none() {
             let nap = Duration::from_millis(2);
             std::thread::sleep(nap);
             (self.waited, self.silent) = (self.waited + nap, self.silent + nap);
-            return self.limits();
+            return self.check_limits();
         }
         let before = (self.tail.len(), self.stderr.is_some());
-        self.wait(false)?;
+        self.poll_pipes(false)?;
         if before == (self.tail.len(), self.stderr.is_some()) && self.stdin.is_some() {
             self.stdin = None; // nobody reads it any more
         }
         Ok(())
     }
 
-    /// What stands in the pipe of standard error.
-    fn drain(&mut self) {
+    /// Reads the rest that stands in the pipe of standard error.
+    fn drain_stderr(&mut self) {
         let now = Timespec { tv_sec: 0, tv_nsec: 0 };
         for _ in 0..64 {
             let Some(pipe) = &self.stderr else { return };
             if !matches!(poll(&mut [PollFd::new(&pipe.as_fd(), PollFlags::IN)], Some(&now)), Ok(1..)) {
                 return;
             }
-            self.hear();
+            self.read_stderr();
         }
     }
 
@@ -256,16 +256,16 @@ impl Process<'_> {
         self.child.wait()
     }
 
-    fn too_few(&mut self) -> Refusal {
+    fn short_output(&mut self) -> Refusal {
         let (read, wanted) = (self.read, self.wanted);
-        match self.end() {
-            Ok(status) if !status.success() => self.badly(status),
-            Ok(_) => Refusal::new(format!("it wrote {read} of {wanted} bytes{}", self.looks()), SHAPE),
+        match self.wait_for_exit() {
+            Ok(status) if !status.success() => self.failure(status),
+            Ok(_) => Refusal::new(format!("it wrote {read} of {wanted} bytes{}", self.text_remark()), SHAPE),
             Err(why) => why,
         }
     }
 
-    fn badly(&self, status: ExitStatus) -> Refusal {
+    fn failure(&self, status: ExitStatus) -> Refusal {
         let how = match (status.signal(), status.code()) {
             (Some(signal), _) => format!("it was killed by signal {signal}"),
             (None, code) => format!("it ended with exit code {}", code.unwrap_or(-1)),
@@ -275,18 +275,18 @@ impl Process<'_> {
     }
 
     /// A remark if the bytes are no doubles.
-    fn looks(&self) -> &'static str {
+    fn text_remark(&self) -> &'static str {
         let text = |byte: &u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
         let is_text = !self.head.is_empty() && self.head.iter().all(text);
         if is_text { ", which look like text" } else { "" }
     }
 }
 
-/// What can be started.
+/// The programs that can be started.
 const STARTED: &str =
     "an executable on PATH, or from the folder of the case by a name with a /, and its interpreter";
 
-/// What standard output should be.
+/// The output that is right.
 const SHAPE: &str = "raw doubles, little endian, as many as the request asks for";
 
 impl Drop for Process<'_> {

@@ -12,11 +12,11 @@ use freepath_statistics::Fact;
 const ROWS: usize = 256;
 
 impl Program {
-    /// What the short starts tell.
-    pub(super) fn rehearsed(&self, wanted: &Wanted) -> Result<Vec<Fact>, Refusal> {
+    /// The facts that three short starts show.
+    pub(super) fn short_starts(&self, wanted: &Wanted) -> Result<Vec<Fact>, Refusal> {
         let seed = |i| request::seed(wanted, REHEARSAL + i);
-        let one = self.short(seed(0), wanted)?;
-        let (again, other) = (self.short(seed(0), wanted)?, self.short(seed(1), wanted)?);
+        let one = self.short_start(seed(0), wanted)?;
+        let (again, other) = (self.short_start(seed(0), wanted)?, self.short_start(seed(1), wanted)?);
         if one != again {
             let words = "the same seed gave other bytes when the program was started again";
             return Ok(vec![Fact::new(CHECK.name, Reason::NotReproducible, words)]);
@@ -26,8 +26,8 @@ impl Program {
         Ok(copied.then(|| Fact::new(STREAMS.name, Reason::Dependent, words)).into_iter().collect())
     }
 
-    /// What one short start writes.
-    fn short(&self, seed: u64, wanted: &Wanted) -> Result<Vec<u8>, Refusal> {
+    /// The bytes that one short start writes.
+    fn short_start(&self, seed: u64, wanted: &Wanted) -> Result<Vec<u8>, Refusal> {
         let mut process = self.start(ROWS as u64, seed, 1, wanted)?;
         let mut bytes = vec![0; ROWS * self.across() * 8];
         process.fill(&mut bytes)?;

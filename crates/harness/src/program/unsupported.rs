@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// How a program would be started.
+/// A start of a program.
 pub(super) struct Start<'a> {
     pub(super) argv: &'a [String],
     pub(super) folder: &'a Path,

@@ -38,8 +38,8 @@ impl<'a> RowReader<'a> {
         rows: usize,
         draws: &mut Draws,
     ) -> Result<usize, Refusal> {
-        let told = self.format.columns.iter().any(|column| column.fills == Fills::Event);
-        self.events.resize(if told { rows } else { 0 }, f64::NAN);
+        let has_events = self.format.columns.iter().any(|column| column.fills == Fills::Event);
+        self.events.resize(if has_events { rows } else { 0 }, f64::NAN);
         let read = table.read(rows, &mut self.filled(draws)?)?;
         for column in &self.format.columns {
             match column.reading {

@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 
 /// The family-wise error of all checks of a soak.
 const FAMILY_LEVEL: f64 = 1e-3;
-/// Most alarms and facts that are told one by one.
-const MOST_TOLD: usize = 20;
+/// Most alarms and facts that are listed one by one.
+const MOST_LISTED: usize = 20;
 
 /// Alarms at one level.
 #[derive(Default)]
@@ -24,7 +24,7 @@ struct Alarms {
     stage_1: u64,
     both: u64,
     confirmed: u64,
-    told: Vec<SoakAlarm>,
+    listed: Vec<SoakAlarm>,
 }
 
 /// What is kept of all runs so far: its size does not grow with them.
@@ -60,12 +60,12 @@ impl Fold {
             alarms.stage_1 += u64::from(alarm.first.is_some());
             alarms.both += u64::from(alarm.first.is_some() && alarm.second);
             alarms.confirmed += u64::from(alarm.confirmed);
-            let told = alarm.first.map(|(i, test)| SoakAlarm { seed, subject: trials[i].id.clone(), test });
-            alarms.told.extend(told.filter(|_| alarms.told.len() < MOST_TOLD));
+            let listed = alarm.first.map(|(i, test)| SoakAlarm { seed, subject: trials[i].id.clone(), test });
+            alarms.listed.extend(listed.filter(|_| alarms.listed.len() < MOST_LISTED));
         }
         self.facts.0 += record.facts.len() as u64;
         for (i, words) in record.facts {
-            if self.facts.1.len() < MOST_TOLD {
+            if self.facts.1.len() < MOST_LISTED {
                 self.facts.1.push(SoakFact { seed, subject: trials[i].id.clone(), words });
             }
         }
@@ -128,7 +128,7 @@ impl Alarms {
             stage_1: rate(level, self.stage_1, p[0]),
             both: rate(level * level, self.both, p[1]),
             confirmed: rate(level * level, self.confirmed, p[2]),
-            alarms: self.told,
+            alarms: self.listed,
         }
     }
 }

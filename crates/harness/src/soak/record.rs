@@ -134,7 +134,7 @@ mod tests {
         Judged { evidence, ..Judged::default() }
     }
 
-    fn told(first: &[Judged], second: &[Option<Judged>], level: f64) -> (bool, bool, bool) {
+    fn outcome(first: &[Judged], second: &[Option<Judged>], level: f64) -> (bool, bool, bool) {
         let alarm = alarm(first, &adjust(first.iter().map(Some)), second, level);
         (alarm.first.is_some(), alarm.second, alarm.confirmed)
     }
@@ -144,16 +144,16 @@ mod tests {
         let first = [judged(&[1e-9]), judged(&[7e-4]), judged(&[0.5])];
         let other = [Some(judged(&[0.5])), Some(judged(&[1e-9])), None];
         let same = [Some(judged(&[1e-9])), Some(judged(&[0.5])), None];
-        assert_eq!(told(&first, &other, 1e-3), (true, true, false));
-        assert_eq!(told(&first, &same, 1e-3), (true, true, true));
-        assert_eq!(told(&[judged(&[0.2])], &[None], 1e-3), (false, false, false));
+        assert_eq!(outcome(&first, &other, 1e-3), (true, true, false));
+        assert_eq!(outcome(&first, &same, 1e-3), (true, true, true));
+        assert_eq!(outcome(&[judged(&[0.2])], &[None], 1e-3), (false, false, false));
     }
 
     #[test]
     fn a_second_stage_counts_only_for_the_suspects_of_its_level() {
         let (first, second) = ([judged(&[0.01])], [Some(judged(&[1e-9]))]);
-        assert_eq!(told(&first, &second, 0.05), (true, true, true));
-        assert_eq!(told(&first, &second, 1e-3), (false, false, false));
+        assert_eq!(outcome(&first, &second, 0.05), (true, true, true));
+        assert_eq!(outcome(&first, &second, 1e-3), (false, false, false));
     }
 
     #[test]

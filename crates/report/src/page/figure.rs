@@ -31,11 +31,11 @@ impl FigureView {
 
     /// Those of a list, each with its words.
     pub(crate) fn all(drawn: &[Drawn]) -> Vec<Self> {
-        Self::told(drawn, &[])
+        Self::with_readings(drawn, &[])
     }
 
     /// Those of a list, without the words that `readings` tell.
-    pub(crate) fn told(drawn: &[Drawn], readings: &[Reading]) -> Vec<Self> {
+    pub(crate) fn with_readings(drawn: &[Drawn], readings: &[Reading]) -> Vec<Self> {
         drawn.iter().map(|drawn| Self::new(drawn, readings)).collect()
     }
 }

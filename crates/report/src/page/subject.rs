@@ -88,7 +88,7 @@ impl SubjectView {
             tests: result.tests.iter().take(MOST).map(test).collect(),
             repro: clean(&result.repro, 1000),
             log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
-            figures: FigureView::told(figures, if quiet { readings } else { &[] }),
+            figures: FigureView::with_readings(figures, if quiet { readings } else { &[] }),
         }
     }
 }
@@ -104,8 +104,8 @@ fn notes(result: &SubjectResult) -> Vec<String> {
     let tests = || result.tests.iter().take(MOST).filter(|test| test.rejected);
     let of_test =
         |note: &str| tests().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")));
-    let told = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
-    result.notes.iter().take(MOST).filter(|note| !told(note)).map(|note| clean(note, 600)).collect()
+    let in_tables = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
+    result.notes.iter().take(MOST).filter(|note| !in_tables(note)).map(|note| clean(note, 600)).collect()
 }
 
 /// The paragraph of `text` that begins with `name`, in one line and with the full stop that ends it.

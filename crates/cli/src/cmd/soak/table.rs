@@ -11,9 +11,9 @@ pub(super) fn text(results: &SoakResults) -> String {
     for of in &results.levels {
         text += &level(of);
     }
-    let told =
+    let facts =
         results.facts.iter().map(|fact| format!("\n{} (seed {}): {}\n", fact.subject, fact.seed, fact.words));
-    text.extend(told);
+    text.extend(facts);
     text += &format!(
         "\n{} runs of {} right subjects, {} draws in stage 1 of each, {} p-values; seed {}\n",
         results.runs, results.subjects, results.draws, results.p_values, results.seed

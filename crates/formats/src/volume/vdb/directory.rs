@@ -89,7 +89,7 @@ impl Directory {
         let names: Vec<_> = self.grids.iter().map(Descriptor::name).filter(plain).take(10).collect();
         match names.as_slice() {
             [] => "at least 1 grid of floats".to_string(),
-            some => some.join(", "),
+            names => names.join(", "),
         }
     }
 }

@@ -33,9 +33,9 @@ fn a_name_can_be_listed_once() {
     let built_in = Lists::default().list::<Samplers>().list::<AnyFreePath>().install().unwrap_err();
     assert!(matches!(built_in, ListError::Taken { kind: "free_path", name: "delta_tracking", .. }), "{built_in}");
     let twice = Lists::default().list::<Samplers>().list::<Samplers>().install().unwrap_err();
-    let told = twice.to_string();
-    assert!(told.starts_with("cannot list the free_path subject `never`: the name is taken"), "{told}");
-    assert!(told.ends_with("`regular_tracking`, `never`)"), "{told}");
+    let message = twice.to_string();
+    assert!(message.starts_with("cannot list the free_path subject `never`: the name is taken"), "{message}");
+    assert!(message.ends_with("`regular_tracking`, `never`)"), "{message}");
 }
 
 #[test]
@@ -61,8 +61,11 @@ fn a_subject_has_one_name() {
         let text = format!(
             r#"{{ "title": "two", "medium": {{ "constant": {{ "mu": 1, "length": 1 }} }}, "subjects": [{{ "free_path": {{ {both} }} }}] }}"#
         );
-        let told = CaseFile::parse(Path::new("two.json"), text).unwrap_err().to_string();
-        assert!(told.contains("more than one name") && told.contains("at subjects[0].free_path"), "{told}");
+        let message = CaseFile::parse(Path::new("two.json"), text).unwrap_err().to_string();
+        assert!(
+            message.contains("more than one name") && message.contains("at subjects[0].free_path"),
+            "{message}"
+        );
     }
     let one = serde_json::from_value::<Named<FreePathKind>>(json!({ "delta_tracking": {} })).unwrap();
     assert_eq!(one, Named::Listed(AnyFreePath::DeltaTracking(DeltaTracking::default())));
