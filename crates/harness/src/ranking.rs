@@ -7,9 +7,9 @@
 //!
 //! Subjects draw independent streams, so their errors add. Who is biased, exact, or not seen well enough is not ranked.
 
-mod standing;
+mod rankable;
 
-pub use standing::{Standing, Work, standing};
+pub use rankable::{LnWork, Rankable, rankable};
 
 use freepath_statistics::holm;
 use freepath_statistics::special::{normal_quantile, normal_two_sided, student_t_two_sided};
@@ -46,7 +46,7 @@ impl Comparison {
 
 /// All pairs, the better one first, in the order of their work.
 #[must_use]
-pub fn compare(work: &[Work]) -> Vec<Comparison> {
+pub fn compare(work: &[LnWork]) -> Vec<Comparison> {
     let mut order: Vec<usize> = (0..work.len()).collect();
     order.sort_by(|&a, &b| work[a].ln.total_cmp(&work[b].ln));
     let pairs = order.iter().enumerate().flat_map(|(i, &a)| order[i + 1..].iter().map(move |&b| (a, b)));
@@ -56,7 +56,7 @@ pub fn compare(work: &[Work]) -> Vec<Comparison> {
     all
 }
 
-fn pair(work: &[Work], better: usize, worse: usize) -> Comparison {
+fn pair(work: &[LnWork], better: usize, worse: usize) -> Comparison {
     let (a, b) = (&work[better], &work[worse]);
     let (log_ratio, error) = (b.ln - a.ln, (a.error * a.error + b.error * b.error).sqrt());
     let dof = match (a.dof, b.dof) {
@@ -90,8 +90,8 @@ pub fn ranks(count: usize, pairs: &[Comparison]) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    fn work(ln: f64, error: f64) -> Work {
-        Work { ln, error, dof: None, method: "delta" }
+    fn work(ln: f64, error: f64) -> LnWork {
+        LnWork { ln, error, dof: None, method: "delta" }
     }
 
     #[test]
@@ -109,13 +109,13 @@ mod tests {
         let z = 2.2; // p = 0.028
         let two = compare(&[work(0.0, 1.0), work(z * 2f64.sqrt(), 1.0)]);
         assert!(two[0].decided());
-        let many: Vec<Work> = (0..6).map(|i| work(if i == 5 { z * 2f64.sqrt() } else { 0.0 }, 1.0)).collect();
+        let many: Vec<LnWork> = (0..6).map(|i| work(if i == 5 { z * 2f64.sqrt() } else { 0.0 }, 1.0)).collect();
         assert!(compare(&many).iter().all(|pair| !pair.decided()));
     }
 
     #[test]
     fn few_groups_widen_the_interval_and_nan_decides_nothing() {
-        let few = Work { dof: Some(49.0), method: "bootstrap", ..work(1.0, 0.1) };
+        let few = LnWork { dof: Some(49.0), method: "bootstrap", ..work(1.0, 0.1) };
         assert!((quantile(few.dof) - 2.009_575).abs() < 1e-4);
         let pairs = compare(&[few, work(0.5, 0.1)]);
         assert!(pairs[0].p > compare(&[work(1.0, 0.1), work(0.5, 0.1)])[0].p);

@@ -1,7 +1,7 @@
 //! Efficiency of each transmittance estimator, and the ranking of those of one medium.
 
 use super::Trial;
-use crate::ranking::{Comparison, RANKING_LEVEL, Standing, Work, compare, ranks, standing};
+use crate::ranking::{Comparison, LnWork, RANKING_LEVEL, Rankable, compare, rankable, ranks};
 use freepath_results::{Efficiency, Ranked, RankedPair, Ranking, Real, Reason, Refused, SubjectResult, Verdict};
 use freepath_statistics::claim::Contender;
 
@@ -11,16 +11,16 @@ pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> 
     let Contender { sums, design_bias: bias, .. } = &contender;
     let t = contender.truth.expected;
     let variance = (sums.variance() + bias * bias) / (t * t);
-    let standing = place(trial, &contender, verdict);
-    let error = match &standing {
-        Standing::Ranked(work) => work.error,
-        Standing::Exact | Standing::Refused(_) => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
+    let rankable = assess(trial, &contender, verdict);
+    let error = match &rankable {
+        Rankable::Ranked(work) => work.error,
+        Rankable::Exact | Rankable::Refused(_) => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
     };
-    let (exact, factor) = (standing == Standing::Exact, libm::exp(1.96 * error));
-    let refusal = match &standing {
-        Standing::Ranked(_) => String::new(),
-        Standing::Exact => "zero variance: exact".into(),
-        Standing::Refused(why) => why.clone(),
+    let (exact, factor) = (rankable == Rankable::Exact, libm::exp(1.96 * error));
+    let refusal = match &rankable {
+        Rankable::Ranked(_) => String::new(),
+        Rankable::Exact => "zero variance: exact".into(),
+        Rankable::Refused(why) => why.clone(),
     };
     Some(Efficiency {
         relative_variance: Real(variance),
@@ -37,13 +37,13 @@ fn contender<'a>(trial: &'a Trial) -> Option<Contender<'a>> {
 }
 
 /// Whether an estimator can be ranked.
-fn place(trial: &Trial, contender: &Contender, verdict: Verdict) -> Standing {
+fn assess(trial: &Trial, contender: &Contender, verdict: Verdict) -> Rankable {
     let Contender { sums, truth, design_bias, kurtosis, lookups, batches } = contender;
     let t = truth.expected;
     // draws that are all 0 because none has hit are not exact
     let exact = sums.variance() <= 1e-24 * t * t && sums.bias().abs() <= 1e-9 * t;
     let gated = |reason| trial.first.judged.gates.iter().any(|gate| gate.0 == reason);
-    let refused = |why: &str| Standing::Refused(why.into());
+    let refused = |why: &str| Rankable::Refused(why.into());
     if !(design_bias.abs() <= 1e-12 * t) {
         refused("biased by design: mean squared error, not ranked")
     } else if !trial.prepared.faults.is_empty() {
@@ -51,13 +51,13 @@ fn place(trial: &Trial, contender: &Contender, verdict: Verdict) -> Standing {
     } else if verdict == Verdict::Fail {
         refused("failed")
     } else if exact {
-        Standing::Exact
+        Rankable::Exact
     } else if gated(Reason::RareEvent) {
         refused("dominated by rare events")
     } else if gated(Reason::HeavyTail) {
         refused("a tail too heavy for its mean")
     } else {
-        standing(sums, lookups, batches, truth.variance, *kurtosis)
+        rankable(sums, lookups, batches, truth.variance, *kurtosis)
     }
 }
 
@@ -72,7 +72,7 @@ pub(super) fn rankings(trials: &[Trial], results: &[SubjectResult]) -> Vec<Ranki
 /// An estimator that can be ranked.
 struct Entry {
     id: String,
-    work: Work,
+    work: LnWork,
     /// 2 ln T.
     scale: f64,
 }
@@ -85,10 +85,10 @@ fn ranking<'a>(
     for (trial, result) in of_medium {
         let Some(contender) = contender(trial) else { continue };
         let (id, scale) = (result.id.clone(), 2.0 * libm::log(contender.truth.expected));
-        match place(trial, &contender, result.verdict) {
-            Standing::Ranked(work) => entries.push(Entry { id, work, scale }),
-            Standing::Exact => exact.push(id),
-            Standing::Refused(why) => refused.push(Refused { id, why }),
+        match assess(trial, &contender, result.verdict) {
+            Rankable::Ranked(work) => entries.push(Entry { id, work, scale }),
+            Rankable::Exact => exact.push(id),
+            Rankable::Refused(why) => refused.push(Refused { id, why }),
         }
     }
     let empty = entries.is_empty() && exact.is_empty() && refused.is_empty();

@@ -6,7 +6,7 @@ use rand::RngExt;
 
 /// ln of variance times look-ups per draw, with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Work {
+pub struct LnWork {
     /// ln(V C).
     pub ln: f64,
     /// Its standard error.
@@ -17,11 +17,11 @@ pub struct Work {
     pub method: &'static str,
 }
 
-/// Whether an estimator can be ranked.
+/// A rank by work, or the reason why there is none.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Standing {
+pub enum Rankable {
     /// With this work.
-    Ranked(Work),
+    Ranked(LnWork),
     /// It has no variance: nothing to compare.
     Exact,
     /// Why not, in words.
@@ -49,15 +49,15 @@ const FARTHEST: f64 = 5.0;
 /// The errors of V and of C, which depend on one another, are added, which bounds them. k is the Pareto shape of the tail where
 /// neither range nor formula says that it is light. `variance` and `kurtosis` are those by formula, where known.
 #[must_use]
-pub fn standing(
+pub fn rankable(
     sums: &PowerSums,
     lookups: &BlockLookups,
     batches: &Batches,
     variance: Option<f64>,
     kurtosis: Option<f64>,
-) -> Standing {
+) -> Rankable {
     let (n, blocks, total) = (sums.n as f64, lookups.blocks as f64, lookups.sum as f64);
-    let refused = |why: &str| Standing::Refused(why.into());
+    let refused = |why: &str| Rankable::Refused(why.into());
     if lookups.sum == 0 {
         return refused("no look-ups were counted: no cost to compare");
     }
@@ -70,20 +70,20 @@ pub fn standing(
     let of_cost = (if spread > 0.0 { spread } else { 0.0 } / (blocks - 1.0)).sqrt() * blocks / total;
     let ln = libm::log(sums.variance()) + libm::log(total / n);
     let work = if light(SHAPES.0) && kurtosis / n <= KURTOSES.0 {
-        Work { ln, error: ((kurtosis - 1.0) / n).sqrt() + of_cost, dof: None, method: "delta" }
+        LnWork { ln, error: ((kurtosis - 1.0) / n).sqrt() + of_cost, dof: None, method: "delta" }
     } else if batches.groups().len() >= FEWEST_GROUPS {
         let dof = Some(batches.groups().len() as f64 - 1.0);
-        Work { ln, error: bootstrap(batches.groups()), dof, method: "bootstrap" }
+        LnWork { ln, error: bootstrap(batches.groups()), dof, method: "bootstrap" }
     } else {
         return refused("the fourth moment is too large for so few blocks");
     };
     let miss = variance.map_or(0.0, |v| (libm::log(sums.variance() / v)).abs());
-    match () {
-        () if !(work.ln.is_finite() && work.error.is_finite()) => refused("variance or cost is not a number"),
-        () if !(miss <= FARTHEST * work.error + 1e-9) => {
-            refused("the variance of the draws is not that of the formula: what makes it was not seen")
-        }
-        () => Standing::Ranked(work),
+    if !(work.ln.is_finite() && work.error.is_finite()) {
+        refused("variance or cost is not a number")
+    } else if !(miss <= FARTHEST * work.error + 1e-9) {
+        refused("the variance of the draws is not that of the formula: what makes it was not seen")
+    } else {
+        Rankable::Ranked(work)
     }
 }
 
@@ -126,8 +126,8 @@ mod tests {
         (sums, cost, batches)
     }
 
-    fn of((sums, cost, batches): &(PowerSums, BlockLookups, Batches), variance: Option<f64>) -> Standing {
-        standing(sums, cost, batches, variance, None)
+    fn of((sums, cost, batches): &(PowerSums, BlockLookups, Batches), variance: Option<f64>) -> Rankable {
+        rankable(sums, cost, batches, variance, None)
     }
 
     fn even(u: f64) -> (f64, u64) {
@@ -140,7 +140,7 @@ mod tests {
         let (mut far, seeds) = ([0, 0], 200);
         for seed in 0..seeds {
             let all = drawn(60, seed, even);
-            let Standing::Ranked(work) = of(&all, Some(1.0 / 12.0)) else { panic!("ranked") };
+            let Rankable::Ranked(work) = of(&all, Some(1.0 / 12.0)) else { panic!("ranked") };
             assert_eq!(work.method, "delta");
             far[0] += u32::from(!((work.ln - truth).abs() <= 1.96 * work.error));
             far[1] += u32::from(!((work.ln - truth).abs() <= 2.0 * bootstrap(all.2.groups())));
@@ -151,34 +151,34 @@ mod tests {
     #[test]
     fn a_tail_without_fourth_moment_is_resampled_and_one_without_variance_refused() {
         let of_shape = |k: f64| of(&drawn(60, 1, move |u| (libm::pow(u, -k), 1)), None);
-        assert!(matches!(of_shape(0.1), Standing::Ranked(Work { method: "delta", .. })));
+        assert!(matches!(of_shape(0.1), Rankable::Ranked(LnWork { method: "delta", .. })));
         assert!(
-            matches!(of_shape(0.35), Standing::Ranked(Work { method: "bootstrap", .. })),
+            matches!(of_shape(0.35), Rankable::Ranked(LnWork { method: "bootstrap", .. })),
             "{:?}",
             of_shape(0.35)
         );
         for k in [0.7, 1.0] {
-            assert!(matches!(of_shape(k), Standing::Refused(_)), "{k}");
+            assert!(matches!(of_shape(k), Rankable::Refused(_)), "{k}");
         }
     }
 
     #[test]
     fn a_rare_event_is_refused() {
         let rare = |hits: f64| of(&drawn(60, 1, move |u| (if u < hits { 1.0 } else { 0.0 }, 1)), None);
-        assert!(matches!(rare(1e-2), Standing::Ranked(_)));
-        assert!(matches!(rare(5e-5), Standing::Refused(_)), "3 hits");
+        assert!(matches!(rare(1e-2), Rankable::Ranked(_)));
+        assert!(matches!(rare(5e-5), Rankable::Refused(_)), "3 hits");
     }
 
     #[test]
     fn a_variance_other_than_the_formula_s_is_refused() {
         let all = drawn(60, 1, even);
-        assert!(matches!(of(&all, Some(0.5 / 12.0)), Standing::Refused(why) if why.contains("formula")));
+        assert!(matches!(of(&all, Some(0.5 / 12.0)), Rankable::Refused(why) if why.contains("formula")));
     }
 
     #[test]
     fn what_costs_nothing_or_is_no_number_is_refused() {
-        assert!(matches!(of(&drawn(60, 1, |u| (u, 0)), None), Standing::Refused(why) if why.contains("cost")));
+        assert!(matches!(of(&drawn(60, 1, |u| (u, 0)), None), Rankable::Refused(why) if why.contains("cost")));
         let nan = drawn(60, 1, |_| (f64::NAN, 1));
-        assert!(matches!(of(&nan, None), Standing::Refused(_)));
+        assert!(matches!(of(&nan, None), Rankable::Refused(_)));
     }
 }
