@@ -35,9 +35,9 @@ pub const LEVEL: f64 = 1e-3;
 /// Largest |skewness| / sqrt(points) of a mean for which an interval is given.
 const MOST_SKEWNESS: f64 = 0.1;
 
-/// How close to look.
+/// The points and scrambles of a look through the microscope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Focus {
+pub struct QmcSettings {
     /// Points of a net: a power of 2 up to [`MOST_POINTS`].
     pub points: u32,
     /// Independent scrambles: at least 2.
@@ -46,9 +46,9 @@ pub struct Focus {
     pub seed: u64,
 }
 
-/// What is seen of one subject.
+/// The bias of one subject by quasi-Monte Carlo.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sight {
+pub struct QmcBias {
     /// The truth: T.
     pub expected: f64,
     /// The bias that the method declares.
@@ -61,34 +61,39 @@ pub struct Sight {
     pub gain: f64,
 }
 
-/// Looks at the mean of `subject`.
+/// The bias of the mean of `subject`.
 ///
 /// # Errors
 /// If the subject has no one mean, or fails, in words.
-pub fn look(subject: &Subject, focus: Focus) -> Result<Sight, String> {
-    if !focus.points.is_power_of_two() || focus.points > MOST_POINTS || focus.scrambles < 2 {
+pub fn qmc_bias(subject: &Subject, settings: QmcSettings) -> Result<QmcBias, String> {
+    if !settings.points.is_power_of_two() || settings.points > MOST_POINTS || settings.scrambles < 2 {
         return Err(format!("points must be a power of 2 up to {MOST_POINTS}, and scrambles at least 2"));
     }
     let functional = subject.experiment.functional(&subject.terms())?;
     let subject = Subject { route: Route::Scalar, ..subject.clone() };
-    let scramble = |r| scramble(&subject, &functional, focus, r);
+    let scramble = |r| scramble(&subject, &functional, settings, r);
     let scrambles: Vec<PowerSums> =
-        (0..focus.scrambles).into_par_iter().map(scramble).collect::<Result<_, _>>()?;
-    Ok(sight(&subject, &functional, &scrambles))
+        (0..settings.scrambles).into_par_iter().map(scramble).collect::<Result<_, _>>()?;
+    Ok(bias_of_means(&subject, &functional, &scrambles))
 }
 
 /// The draws of one scramble.
-fn scramble(subject: &Subject, functional: &Functional, focus: Focus, r: u32) -> Result<PowerSums, String> {
+fn scramble(
+    subject: &Subject,
+    functional: &Functional,
+    settings: QmcSettings,
+    r: u32,
+) -> Result<PowerSums, String> {
     let first = NETS + (u64::from(r) << 20);
-    let key = |i: u32| Key { seed: focus.seed, subject: subject.key, block: first + u64::from(i) };
+    let key = |i: u32| Key { seed: settings.seed, subject: subject.key, block: first + u64::from(i) };
     let (net, mut draws) = (Net::new(key(MOST_POINTS)), Draws::new(&subject.experiment.row(), 1));
     let mut sums = PowerSums::new(functional.expected);
     let mut values = Vec::with_capacity(256);
-    for i in 0..focus.points {
+    for i in 0..settings.points {
         let script = Script { prefix: net.words(i, &mut key(i).lane(1)), repeat: false };
         sample_from(subject, Streams::new(key(i)).scripted(script), &mut draws).map_err(Unfinished::words)?;
         values.push((functional.value)(&draws));
-        if values.len() == 256 || i + 1 == focus.points {
+        if values.len() == 256 || i + 1 == settings.points {
             sums.merge(&PowerSums::of(sums.center, &values));
             values.clear();
         }
@@ -96,7 +101,7 @@ fn scramble(subject: &Subject, functional: &Functional, focus: Focus, r: u32) ->
     Ok(sums)
 }
 
-fn sight(subject: &Subject, functional: &Functional, scrambles: &[PowerSums]) -> Sight {
+fn bias_of_means(subject: &Subject, functional: &Functional, scrambles: &[PowerSums]) -> QmcBias {
     let (Functional { expected, declared, .. }, r) = (*functional, scrambles.len() as f64);
     let biases: Vec<f64> = scrambles.iter().map(PowerSums::bias).collect();
     let bias = biases.iter().sum::<f64>() / r;
@@ -104,7 +109,7 @@ fn sight(subject: &Subject, functional: &Functional, scrambles: &[PowerSums]) ->
     let random = scrambles.iter().map(|sums| sums.variance() / sums.n as f64).sum::<f64>() / r;
     let slack = subject.tolerance + expected * functional.relative_error + 1e-12 * expected;
     let half = student_t_quantile(r - 1.0) * (variance / r).sqrt() + slack;
-    Sight {
+    QmcBias {
         expected,
         declared,
         estimate: expected + bias,

@@ -13,9 +13,9 @@ fn bump(peak: f64) -> Under<Gaussian> {
     Under::new(medium, majorants)
 }
 
-fn seen(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium, points: u32) -> Sight {
+fn seen(estimator: &dyn TransmittanceEstimator, medium: &dyn Medium, points: u32) -> QmcBias {
     let experiment = InScene::<Transmittance>::of(estimator, Ray::of(medium));
-    look(&Subject::new(&experiment), Focus { points, scrambles: 16, seed: 1 }).expect("it can be seen")
+    qmc_bias(&Subject::new(&experiment), QmcSettings { points, scrambles: 16, seed: 1 }).expect("it can be seen")
 }
 
 /// Ratio tracking whose weights are off by a share.
@@ -33,16 +33,16 @@ fn holds(limits: &Result<(f64, f64), String>, bias: f64) -> bool {
 
 #[test]
 fn ratio_tracking_over_a_bump_is_seen_with_far_less_variance() {
-    let sight = seen(&RatioTracking {}, &bump(2.0), 4096);
-    assert!(sight.gain > 20.0, "{sight:?}"); // some 700 at 65,536 points
-    assert!(holds(&sight.bias, 0.0), "{sight:?}");
+    let seen = seen(&RatioTracking {}, &bump(2.0), 4096);
+    assert!(seen.gain > 20.0, "{seen:?}"); // some 700 at 65,536 points
+    assert!(holds(&seen.bias, 0.0), "{seen:?}");
 }
 
 #[test]
 fn a_bias_below_the_noise_of_as_many_draws_is_seen() {
     let medium = bump(2.0);
-    let sight = seen(&Off(0.01), &medium, 4096);
-    assert!(!holds(&sight.bias, 0.0) && holds(&sight.bias, 0.01 * sight.expected), "{sight:?}");
+    let seen = seen(&Off(0.01), &medium, 4096);
+    assert!(!holds(&seen.bias, 0.0) && holds(&seen.bias, 0.01 * seen.expected), "{seen:?}");
 }
 
 #[test]
@@ -51,9 +51,9 @@ fn the_interval_covers_as_often_as_it_says() {
     let experiment = InScene::<Transmittance>::of(&RatioTracking {}, Ray::of(&medium));
     let subject = Subject::new(&experiment);
     let covers = |seed| {
-        let sight = look(&subject, Focus { points: 512, scrambles: 4, seed }).expect("it can be seen");
-        assert!(sight.bias.is_ok(), "{sight:?}");
-        holds(&sight.bias, 0.0)
+        let seen = qmc_bias(&subject, QmcSettings { points: 512, scrambles: 4, seed }).expect("it can be seen");
+        assert!(seen.bias.is_ok(), "{seen:?}");
+        holds(&seen.bias, 0.0)
     };
     let missed = (0..150).filter(|&seed| !covers(seed)).count();
     assert!(missed <= 4, "{missed} of 150 intervals miss the truth"); // P(5 or more) = 5e-7
@@ -62,13 +62,13 @@ fn the_interval_covers_as_often_as_it_says() {
 #[test]
 fn what_was_never_met_gives_no_interval() {
     let delta: AnyTransmittance = serde_json::from_str(r#"{ "delta_tracking": {} }"#).expect("an estimator");
-    let sight = seen(&*delta, &bump(60.0), 256);
-    assert!(sight.bias.is_err_and(|why| why.contains("may not have been met")));
+    let seen = seen(&*delta, &bump(60.0), 256);
+    assert!(seen.bias.is_err_and(|why| why.contains("may not have been met")));
     let nan = |_: &dyn Extinction, rng: &mut dyn Rng| if rng.next_u64() < 1 << 55 { f64::NAN } else { 0.5 };
     let medium = bump(1.0);
     let experiment = InScene::<FreePathKind>::of(&nan, Ray::of(&medium));
     let subject = Subject::new(&experiment);
-    let sight = look(&subject, Focus { points: 1024, scrambles: 2, seed: 1 }).expect("it can be seen");
-    assert!(sight.bias.is_err_and(|why| why.contains("NaN")));
-    assert!(look(&subject, Focus { points: 100, scrambles: 2, seed: 1 }).is_err());
+    let seen = qmc_bias(&subject, QmcSettings { points: 1024, scrambles: 2, seed: 1 }).expect("it can be seen");
+    assert!(seen.bias.is_err_and(|why| why.contains("NaN")));
+    assert!(qmc_bias(&subject, QmcSettings { points: 100, scrambles: 2, seed: 1 }).is_err());
 }
