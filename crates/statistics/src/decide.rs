@@ -115,19 +115,19 @@ pub fn decide_at(first: Stage, second: Option<Stage>, level: f64) -> Decision {
         found.extend(two);
     } else if !one.is_empty() || !two.is_empty() {
         let why = "only one of the two stages rejects: more draws would tell";
-        return open(vec![(Reason::NotEnoughDraws, why.into())], found);
+        return undecided(vec![(Reason::NotEnoughDraws, why.into())], found);
     }
     if found.is_empty() {
         let mut gates = first.judged.gates.clone();
         if first.judged.evidence.iter().all(|evidence| evidence.judged_p().is_none()) {
             gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
         }
-        return open(gates, found);
+        return undecided(gates, found);
     }
     summary(Verdict::Fail, found)
 }
 
-fn open(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
+fn undecided(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
     match (facts.is_empty(), gates.is_empty()) {
         (false, _) => summary(Verdict::Fail, facts),
         (true, false) => summary(Verdict::Inconclusive, gates),

@@ -169,7 +169,7 @@ fn close(
         GrownOutcome::Rejected => format!("rejected after {draws} draws"),
         GrownOutcome::BudgetEnded => format!("the budget ended: {after}"),
     };
-    let gate = match (outcome, &look.trouble) {
+    let gate = match (outcome, &look.withheld) {
         (GrownOutcome::Proven, _) => None,
         (GrownOutcome::Rejected, _) => Some((Reason::NotEnoughDraws, format!("growth: {note}, not confirmed"))),
         (GrownOutcome::BudgetEnded, None) => Some((Reason::NotEnoughDraws, format!("growth: {note}"))),

@@ -87,7 +87,7 @@ fn gate(
 ) -> Option<(Reason, String)> {
     let (expected, bound) = (claim.expected, interval.bound());
     if evidence.p.is_none() {
-        let (reason, why) = hypothesis::open(sums, claim);
+        let (reason, why) = hypothesis::undecided(sums, claim);
         return Some((reason, format!("{name}: {why}")));
     }
     let open = !(bound < expected) && interval.method != Method::Exact;

@@ -48,7 +48,7 @@ pub struct InterimLook {
     /// How they were made.
     pub method: &'static str,
     /// Why there is no bound.
-    pub trouble: Option<(Reason, String)>,
+    pub withheld: Option<(Reason, String)>,
 }
 
 /// A test that may be looked at while draws grow: one of a mean or of a law.

@@ -1,6 +1,6 @@
 use super::atom::{binomial_null, nearest, standardised};
 use super::chi_square::lessened;
-use super::doubt::{doubt, withheld};
+use super::clt_gate::{clt_gate, withheld};
 use super::mean_claim::MeanClaim;
 use super::record::Test;
 use crate::evidence::{Evidence, Null, POWER, REPORTING_LEVEL};
@@ -120,7 +120,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
 
 /// Why the mean has no p-value.
 #[must_use]
-pub fn open(sums: &PowerSums, claim: &MeanClaim) -> (Reason, String) {
+pub fn undecided(sums: &PowerSums, claim: &MeanClaim) -> (Reason, String) {
     withheld(sums, claim, skewness(sums, claim))
 }
 
@@ -174,7 +174,7 @@ fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
         return Method::Exact;
     }
     let (plain, corrected) = gate(skewness(sums, claim), sums.n as f64);
-    let tame = !sums.constant() && doubt(sums).is_none();
+    let tame = !sums.constant() && clt_gate(sums).is_none();
     match claim.range {
         _ if plain && tame => Method::StudentT,
         _ if corrected && tame => Method::SkewnessCorrected,

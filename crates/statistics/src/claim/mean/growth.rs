@@ -56,8 +56,8 @@ impl Sequence for Bias<'_> {
             (method, ..) => {
                 let p = evidence.p.map_or(1.0, |p| looks.note(p / share));
                 let ends: Interval = interval_at(&sums, truth, REPORTING_LEVEL * share);
-                let trouble = evidence.p.is_none().then(|| hypothesis::open(&sums, truth));
-                InterimLook { trouble, ..look((ends.low, ends.high), p, method.name()) }
+                let withheld = evidence.p.is_none().then(|| hypothesis::undecided(&sums, truth));
+                InterimLook { withheld, ..look((ends.low, ends.high), p, method.name()) }
             }
         }
     }
@@ -101,7 +101,7 @@ impl Bias<'_> {
 
 fn look((low, high): (f64, f64), p: f64, method: &'static str) -> InterimLook {
     let bound = if -low > high { -low } else { high };
-    InterimLook { bound, p, method, trouble: None }
+    InterimLook { bound, p, method, withheld: None }
 }
 
 /// ln of the mean of two e-values.

@@ -20,7 +20,7 @@ const LARGEST_VOV: f64 = 0.1;
 ///
 /// Draws of known range have intervals that need none of this. Cost: none beyond the sums.
 #[must_use]
-pub fn doubt(sums: &PowerSums) -> Option<(Reason, String)> {
+pub fn clt_gate(sums: &PowerSums) -> Option<(Reason, String)> {
     let hits = sums.n - sums.zeros;
     let heavy = |why| Some((Reason::HeavyTail, why));
     if hits < FEWEST_HITS {
@@ -43,7 +43,7 @@ pub fn doubt(sums: &PowerSums) -> Option<(Reason, String)> {
     None
 }
 
-/// Why a mean has no p-value: what [`doubt`] says, or else its skewness.
+/// Why a mean has no p-value: what [`clt_gate`] says, or else its skewness.
 pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (Reason, String) {
     let n = sums.n as f64;
     let error = (sums.variance() / n).sqrt();
@@ -52,10 +52,10 @@ pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (R
     if !seen || sums.constant() {
         let largest = if due > error { due } else { error };
         let why = format!("the standard error of the mean is {largest:.2e}, the mean {:.2e}", claim.expected);
-        return doubt(sums).filter(|d| d.0 == Reason::RareEvent).unwrap_or((Reason::RareEvent, why));
+        return clt_gate(sums).filter(|d| d.0 == Reason::RareEvent).unwrap_or((Reason::RareEvent, why));
     }
     let known = claim.skewness.is_some_and(f64::is_finite);
-    doubt(sums).unwrap_or_else(|| {
+    clt_gate(sums).unwrap_or_else(|| {
         let reason = if known { Reason::NotEnoughDraws } else { Reason::HeavyTail };
         let enough = 100.0 * skewness * skewness;
         let why = format!("skewness {skewness:.3e} needs {enough:.1e} draws, not {n:.1e}, as no range is known");
@@ -74,7 +74,7 @@ mod tests {
         let mut tail = Tail::default();
         tail.observe(draws);
         let shape = tail.shape(draws.len() as u64);
-        doubt(&PowerSums { shape, ..PowerSums::of(1.0, draws) }).map(|doubt| doubt.0)
+        clt_gate(&PowerSums { shape, ..PowerSums::of(1.0, draws) }).map(|gate| gate.0)
     }
 
     fn drawn(n: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {
@@ -103,23 +103,23 @@ mod tests {
     fn one_draw_that_carries_all_is_heavy() {
         let mut draws = vec![1.0; 10_000];
         draws[77] = 1000.0;
-        let doubt = doubt(&PowerSums::of(1.0, &draws)).unwrap_or((Reason::Biased, String::new()));
-        assert!(doubt.0 == Reason::HeavyTail && doubt.1.contains("9.1 %"), "{doubt:?}");
+        let gate = clt_gate(&PowerSums::of(1.0, &draws)).unwrap_or((Reason::Biased, String::new()));
+        assert!(gate.0 == Reason::HeavyTail && gate.1.contains("9.1 %"), "{gate:?}");
     }
 
     #[test]
     fn a_variance_that_one_draw_makes_is_heavy() {
         let mut draws = vec![1.0; 100_000];
         draws[77] = 1000.0;
-        let doubt = doubt(&PowerSums::of(1.0, &draws)).unwrap_or((Reason::Biased, String::new()));
-        assert!(doubt.0 == Reason::HeavyTail && doubt.1.contains("variance of the variance"), "{doubt:?}");
+        let gate = clt_gate(&PowerSums::of(1.0, &draws)).unwrap_or((Reason::Biased, String::new()));
+        assert!(gate.0 == Reason::HeavyTail && gate.1.contains("variance of the variance"), "{gate:?}");
     }
 
     #[test]
     fn few_hits_are_rare() {
         for (hits, reason) in [(99, Some(Reason::RareEvent)), (100, None)] {
             let draws: Vec<f64> = (0..1_000_000).map(|i| if i < hits { 1.0 } else { 0.0 }).collect();
-            assert_eq!(doubt(&PowerSums::of(1e-4, &draws)).map(|doubt| doubt.0), reason);
+            assert_eq!(clt_gate(&PowerSums::of(1e-4, &draws)).map(|gate| gate.0), reason);
         }
     }
 }
