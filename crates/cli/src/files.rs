@@ -8,7 +8,7 @@ use std::process;
 
 /// Makes the folder `out` and sees to it that files can be written there.
 pub(crate) fn open(out: &Path) -> Result<(), CommandError> {
-    let probe = beside(&out.join("probe"));
+    let probe = temporary(&out.join("probe"));
     fs::create_dir_all(out)
         .and_then(|()| fs::write(&probe, ""))
         .and_then(|()| fs::remove_file(&probe))
@@ -17,11 +17,11 @@ pub(crate) fn open(out: &Path) -> Result<(), CommandError> {
 
 /// Writes `text` as `path`.
 pub(crate) fn write(path: &Path, text: &str) -> Result<(), CommandError> {
-    let beside = beside(path);
-    let written = whole(&beside, text).and_then(|()| fs::rename(&beside, path));
+    let temporary = temporary(path);
+    let written = whole(&temporary, text).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|why| {
         // What is left of it is of no use; if it cannot be removed, the first error is the one to show.
-        drop(fs::remove_file(&beside));
+        drop(fs::remove_file(&temporary));
         cannot_write(path, &why)
     })
 }
@@ -32,7 +32,7 @@ fn whole(path: &Path, text: &str) -> io::Result<()> {
     file.sync_all()
 }
 
-fn beside(path: &Path) -> PathBuf {
+fn temporary(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!(".{name}.tmp-{}", process::id()))
 }

@@ -13,9 +13,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     timings.run = freepath_report::run_id(&text);
     std::fs::write(out.join("results.json"), &text)?;
     std::fs::write(out.join("timings.json"), serde_json::to_string_pretty(&timings)?)?;
-    let beside = freepath_report::Beside { timings: Some(timings), ..support::beside() };
+    let side_files = freepath_report::SideFiles { timings: Some(timings), ..support::side_files() };
     let run = Some(freepath_report::run_id(&text));
-    freepath_report::Options { run, ..Default::default() }.write(&results, &beside, &out)?;
+    freepath_report::Options { run, ..Default::default() }.write(&results, &side_files, &out)?;
     println!("{}", out.join("index.html").display());
     Ok(())
 }

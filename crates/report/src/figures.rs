@@ -40,14 +40,14 @@ impl Figures {
 pub(crate) fn of(site: &Site) -> Figures {
     Figures {
         level: named("r-run", level(site)),
-        power: named("r-run", site.beside.power.as_ref().and_then(power::figure)),
+        power: named("r-run", site.side_files.power.as_ref().and_then(power::figure)),
         subjects: site.subjects.par_iter().map(|subject| of_subject(site, subject)).collect(),
         cases: site.cases.par_iter().map(|case| of_case(site, case)).collect(),
     }
 }
 
 fn level(site: &Site) -> Vec<Figure> {
-    let soak = site.beside.soak.as_ref();
+    let soak = site.side_files.soak.as_ref();
     let figures = [quantiles::of_run(site), soak.and_then(quantiles::of_soak), soak.and_then(quantiles::of_tests)];
     figures.into_iter().flatten().collect()
 }

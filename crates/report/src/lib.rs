@@ -10,7 +10,6 @@
 //! The page is one self-contained file. Everything in the results is treated as hostile: text is escaped and cut to a
 //! sensible length, numbers may be anything, series may be empty.
 
-mod beside;
 mod draw;
 mod error;
 mod figures;
@@ -21,13 +20,14 @@ mod page;
 mod plot;
 mod run_id;
 mod save;
+mod side_files;
 mod site;
 mod text;
 
-pub use beside::Beside;
 pub use error::ReportError;
 pub use json::json;
 pub use run_id::run_id;
+pub use side_files::SideFiles;
 
 use freepath_results::{MediumResult, Results, Timings};
 use std::path::Path;
@@ -55,11 +55,11 @@ impl Options {
     ///
     /// # Errors
     /// If a plot cannot be drawn or a file cannot be written.
-    pub fn write(&self, results: &Results, beside: &Beside, out: &Path) -> Result<(), ReportError> {
-        let site = site::Site::new(results, self.own(beside), beside);
+    pub fn write(&self, results: &Results, side_files: &SideFiles, out: &Path) -> Result<(), ReportError> {
+        let site = site::Site::new(results, self.own(side_files), side_files);
         let figures = figures::of(&site);
         save::plots(&figures, self, &out.join("plots"))?;
-        let page = page::html(&site, &figures, &self.id(results, beside)?, self)?;
+        let page = page::html(&site, &figures, &self.id(results, side_files)?, self)?;
         save::atomically(&out.join("index.html"), page.as_bytes())
     }
 
@@ -67,13 +67,13 @@ impl Options {
     ///
     /// # Errors
     /// If a plot cannot be drawn.
-    pub fn html(&self, results: &Results, beside: &Beside) -> Result<String, ReportError> {
-        let site = site::Site::new(results, self.own(beside), beside);
-        page::html(&site, &figures::of(&site), &self.id(results, beside)?, self)
+    pub fn html(&self, results: &Results, side_files: &SideFiles) -> Result<String, ReportError> {
+        let site = site::Site::new(results, self.own(side_files), side_files);
+        page::html(&site, &figures::of(&site), &self.id(results, side_files)?, self)
     }
 
-    fn id(&self, results: &Results, beside: &Beside) -> Result<String, ReportError> {
-        match (&self.run, &beside.timings) {
+    fn id(&self, results: &Results, side_files: &SideFiles) -> Result<String, ReportError> {
+        match (&self.run, &side_files.timings) {
             (Some(run), _) => Ok(run.clone()),
             (None, Some(timings)) => Ok(timings.run.clone()),
             (None, None) => Ok(run_id(&json(results)?)),
@@ -81,8 +81,8 @@ impl Options {
     }
 
     /// The timings, if they are of this run.
-    fn own<'a>(&self, beside: &'a Beside) -> Option<&'a Timings> {
-        beside.timings.as_ref().filter(|t| self.run.as_ref().is_none_or(|run| *run == t.run))
+    fn own<'a>(&self, side_files: &'a SideFiles) -> Option<&'a Timings> {
+        side_files.timings.as_ref().filter(|t| self.run.as_ref().is_none_or(|run| *run == t.run))
     }
 }
 
@@ -91,7 +91,7 @@ impl Options {
 /// # Errors
 /// If a plot cannot be drawn or a file cannot be written.
 pub fn write(results: &Results, timings: Option<&Timings>, out: &Path) -> Result<(), ReportError> {
-    Options::default().write(results, &Beside::timed(timings), out)
+    Options::default().write(results, &SideFiles::timed(timings), out)
 }
 
 /// Writes the plot of one medium as `out/NAME.png` and `out/NAME.svg`, the medium drawn under `title`.
@@ -108,5 +108,5 @@ pub fn write_medium(medium: &MediumResult, title: &str, name: &str, out: &Path) 
 /// # Errors
 /// If a plot cannot be drawn.
 pub fn html(results: &Results, timings: Option<&Timings>) -> Result<String, ReportError> {
-    Options::default().html(results, &Beside::timed(timings))
+    Options::default().html(results, &SideFiles::timed(timings))
 }

@@ -17,9 +17,9 @@ pub(crate) fn plots(figures: &Figures, options: &Options, folder: &Path) -> Resu
 pub(crate) fn plot(drawn: &Drawn, options: &Options, folder: &Path) -> Result<(), ReportError> {
     if options.png {
         let path = folder.join(format!("{}.png", drawn.file));
-        let beside = beside(&path);
-        png(&drawn.figure.picture, &beside)?;
-        rename(&beside, &path)?;
+        let temporary = temporary(&path);
+        png(&drawn.figure.picture, &temporary)?;
+        rename(&temporary, &path)?;
     }
     if options.svg {
         let path = folder.join(format!("{}.svg", drawn.file));
@@ -30,13 +30,13 @@ pub(crate) fn plot(drawn: &Drawn, options: &Options, folder: &Path) -> Result<()
 
 /// Writes `content` beside `path`, then renames it.
 pub(crate) fn atomically(path: &Path, content: &[u8]) -> Result<(), ReportError> {
-    let beside = beside(path);
-    fs::write(&beside, content).map_err(|cause| ReportError::write(&beside, cause))?;
-    rename(&beside, path)
+    let temporary = temporary(path);
+    fs::write(&temporary, content).map_err(|cause| ReportError::write(&temporary, cause))?;
+    rename(&temporary, path)
 }
 
 /// A name in the same folder with the same extension, by which plotters picks the format.
-fn beside(path: &Path) -> PathBuf {
+fn temporary(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!(".{}-{name}", std::process::id()))
 }

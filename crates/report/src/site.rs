@@ -1,6 +1,6 @@
 //! The results with an address for each part, and in the order of the page.
 
-use crate::Beside;
+use crate::SideFiles;
 use crate::text::{Slugs, clean};
 use freepath_results::{MediumResult, Results, SubjectResult, Timings};
 use std::collections::HashMap;
@@ -12,7 +12,7 @@ pub(crate) const MOST_SUBJECTS: usize = 2000;
 pub(crate) struct Site<'a> {
     pub(crate) results: &'a Results,
     pub(crate) timings: Option<&'a Timings>,
-    pub(crate) beside: &'a Beside,
+    pub(crate) side_files: &'a SideFiles,
     pub(crate) subjects: Vec<Subject<'a>>,
     pub(crate) cases: Vec<Case<'a>>,
 }
@@ -49,7 +49,7 @@ pub(crate) struct Case<'a> {
 }
 
 impl<'a> Site<'a> {
-    pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, beside: &'a Beside) -> Self {
+    pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, side_files: &'a SideFiles) -> Self {
         let mut slugs = Slugs::default();
         let mut cases: Vec<Case> = results.media.iter().take(MOST_SUBJECTS).map(|m| case(m, &mut slugs)).collect();
         let (seconds, logs) = (per_draw(timings), logs(timings));
@@ -72,7 +72,7 @@ impl<'a> Site<'a> {
                 case: home,
             });
         }
-        Self { results, timings, beside, subjects, cases }
+        Self { results, timings, side_files, subjects, cases }
     }
 
     /// The subjects of a case.

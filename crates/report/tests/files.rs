@@ -35,8 +35,8 @@ fn every_plot_is_there_in_both_forms_and_small() {
     let out = std::env::temp_dir().join(format!("freepath-report-{}-files", std::process::id()));
     let (mut results, timings) = support::run();
     results.results.retain(|r| r.medium % 5 == 1);
-    let beside = freepath_report::Beside { timings: Some(timings), ..support::beside() };
-    Options::default().write(&results, &beside, &out).unwrap();
+    let side_files = freepath_report::SideFiles { timings: Some(timings), ..support::side_files() };
+    Options::default().write(&results, &side_files, &out).unwrap();
     let plots = out.join("plots");
     let (png, svg) = (names(&plots, ".png"), names(&plots, ".svg"));
     assert!(png.len() > 60);

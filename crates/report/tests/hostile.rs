@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::{Beside, Options, html};
+use freepath_report::{Options, SideFiles, html};
 use freepath_results::{
     CdfSeries, HistogramSeries, LifeTable, MediumSeries, QuantileSeries, Real, ResidualSeries, Results,
     RunningSeries, Series,
@@ -17,13 +17,13 @@ fn folder(name: &str) -> PathBuf {
 
 /// Writes everything in both forms, and looks at the page.
 fn survives(results: &Results, name: &str) -> String {
-    survives_beside(results, &Beside::default(), name)
+    survives_with(results, &SideFiles::default(), name)
 }
 
-fn survives_beside(results: &Results, beside: &Beside, name: &str) -> String {
+fn survives_with(results: &Results, side_files: &SideFiles, name: &str) -> String {
     let out = folder(name);
     std::fs::create_dir_all(&out).unwrap();
-    Options::default().write(results, beside, &out).unwrap();
+    Options::default().write(results, side_files, &out).unwrap();
     let page = std::fs::read_to_string(out.join("index.html")).unwrap();
     std::fs::remove_dir_all(&out).unwrap();
     page
@@ -69,10 +69,10 @@ fn attacked() -> Results {
     results
 }
 
-fn attacked_beside() -> Beside {
-    let mut beside = support::beside();
-    beside.left_out = vec![ATTACK.into()];
-    if let Some(power) = &mut beside.power {
+fn attacked_side_files() -> SideFiles {
+    let mut side_files = support::side_files();
+    side_files.left_out = vec![ATTACK.into()];
+    if let Some(power) = &mut side_files.power {
         (power.repro, power.version) = (ATTACK.into(), ATTACK.into());
         for r in &mut power.rows {
             (r.id, r.fault, r.medium, r.subject, r.expected) =
@@ -82,19 +82,19 @@ fn attacked_beside() -> Beside {
             r.as_expected = false;
         }
     }
-    if let Some(soak) = &mut beside.soak {
+    if let Some(soak) = &mut side_files.soak {
         soak.repro = ATTACK.into();
         soak.facts.iter_mut().for_each(|f| (f.subject, f.words) = (ATTACK.into(), ATTACK.into()));
         soak.tests.iter_mut().for_each(|t| (t.test, t.null) = (ATTACK.into(), ATTACK.into()));
     }
-    beside
+    side_files
 }
 
 #[test]
 fn no_text_becomes_markup() {
     let results = attacked();
     for results in [results.clone(), Results { results: without_faults(&results), ..results }] {
-        let page = survives_beside(&results, &attacked_beside(), "attack");
+        let page = survives_with(&results, &attacked_side_files(), "attack");
         for part in ["<img", "onerror=alert(1)>", "\u{202e}", "\u{2028}"] {
             let near = page.find(part).map(|at| page.get(at - 60..at + 60));
             assert_eq!(near, None, "{part}");
@@ -150,25 +150,25 @@ fn series(law: bool, mean: bool, x: Real, length: usize) -> Series {
 }
 
 /// Every series and number of what lies beside replaced.
-fn flooded_beside(value: f64, length: usize) -> Beside {
-    let mut beside = support::beside();
+fn flooded_side_files(value: f64, length: usize) -> SideFiles {
+    let mut side_files = support::side_files();
     let x = Real(value);
     let many = || QuantileSeries { expected: vec![x; length], observed: vec![x; length] };
-    if let Some(soak) = &mut beside.soak {
+    if let Some(soak) = &mut side_files.soak {
         (soak.pooled, soak.family_level, soak.p_values, soak.runs) = (many(), x, length as u64, u64::MAX);
         for t in &mut soak.tests {
             (t.quantiles, t.shares, t.below, t.p_adjusted, t.p_values) = (many(), vec![x; length], x, x, u64::MAX);
         }
         soak.levels.iter_mut().for_each(|l| (l.level, l.both.designed, l.both.p_adjusted) = (x, x, x));
     }
-    if let Some(power) = &mut beside.power {
+    if let Some(power) = &mut side_files.power {
         power.stage_alpha = x;
         for r in &mut power.rows {
             (r.needed, r.draws) = (Some(length as u64), if length > 3 { u64::MAX } else { 0 });
             r.ladder.iter_mut().for_each(|rung| rung.least_p = Some(x));
         }
     }
-    beside
+    side_files
 }
 
 #[test]
@@ -179,16 +179,16 @@ fn a_p_value_or_ratio_that_is_not_a_number_is_never_called_right() {
     results.results[0].series.life_table.iter_mut().for_each(|t| t.p.fill(Real(f64::NAN)));
     let page = html(&results, None).unwrap();
     assert!(page.contains("Life table: the law breaks in 16 of 16 rows"));
-    let mut beside = support::beside();
-    beside.soak.iter_mut().flat_map(|s| &mut s.levels).for_each(|l| l.stage_1.p_adjusted = Real(f64::NAN));
-    let page = Options::default().html(&results, &beside).unwrap();
+    let mut side_files = support::side_files();
+    side_files.soak.iter_mut().flat_map(|s| &mut s.levels).for_each(|l| l.stage_1.p_adjusted = Real(f64::NAN));
+    let page = Options::default().html(&results, &side_files).unwrap();
     assert!(page.contains("<tr class=\"rejected\"><th scope=\"row\">stage 1 rejects something"));
 }
 
 #[test]
 fn no_number_breaks_a_plot() {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, -1.0, 5e-324, 1e-300, 1e308, -1e308] {
-        survives_beside(&flooded(value, 7), &flooded_beside(value, 9), "numbers");
+        survives_with(&flooded(value, 7), &flooded_side_files(value, 9), "numbers");
     }
     assert!(html(&flooded(f64::NAN, 7), None).unwrap().contains("not finite"));
 }
@@ -196,7 +196,7 @@ fn no_number_breaks_a_plot() {
 #[test]
 fn no_length_breaks_a_plot() {
     for length in [0, 1, 2, 3, 5000] {
-        survives_beside(&flooded(1.5, length), &flooded_beside(0.5, length), "lengths");
+        survives_with(&flooded(1.5, length), &flooded_side_files(0.5, length), "lengths");
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::{Beside, Options, html, json, run_id};
+use freepath_report::{Options, SideFiles, html, json, run_id};
 use std::collections::HashSet;
 
 /// What follows `before` up to the next quote, at every place.
@@ -119,9 +119,9 @@ fn power_and_soak_are_shown_where_they_lie_beside() {
     let (results, _) = support::run();
     let without = html(&results, None).unwrap();
     assert!(!without.contains("id=\"power\"") && without.contains("p-values of this run"));
-    let mut beside = support::beside();
-    beside.left_out = vec!["soak.json cannot be read <here>.".into()];
-    let page = Options::default().html(&results, &beside).unwrap();
+    let mut side_files = support::side_files();
+    side_files.left_out = vec!["soak.json cannot be read <here>.".into()];
+    let page = Options::default().html(&results, &side_files).unwrap();
     for words in [
         "Faults that must be caught",
         "Innocent settings, which hide the fault from every test",
@@ -143,11 +143,11 @@ fn power_and_soak_are_shown_where_they_lie_beside() {
 #[test]
 fn a_fault_that_is_not_caught_is_not_passed_over() {
     let (results, _) = support::run();
-    let mut beside = support::beside();
-    for row in beside.power.iter_mut().flat_map(|p| &mut p.rows).take(1) {
+    let mut side_files = support::side_files();
+    for row in side_files.power.iter_mut().flat_map(|p| &mut p.rows).take(1) {
         (row.needed, row.as_expected) = (None, false);
     }
-    let page = Options::default().html(&results, &beside).unwrap();
+    let page = Options::default().html(&results, &side_files).unwrap();
     assert!(
         page.contains("4 of 5 rows are as they must be. A fault counts") && page.contains("more than 1,048,576")
     );
@@ -187,12 +187,12 @@ fn the_same_results_give_the_same_page() {
 fn timings_of_another_run_are_left_out() {
     let (results, timings) = support::run();
     let options = Options { run: Some("another".into()), ..Options::default() };
-    assert!(!options.html(&results, &Beside::timed(Some(&timings))).unwrap().contains("on 8 threads"));
+    assert!(!options.html(&results, &SideFiles::timed(Some(&timings))).unwrap().contains("on 8 threads"));
 }
 
 #[test]
 fn a_page_without_plots_beside_it_does_not_link_to_them() {
     let (results, _) = support::run();
     let options = Options { png: false, svg: false, run: None };
-    assert!(!options.html(&results, &Beside::default()).unwrap().contains("href=\"plots/"));
+    assert!(!options.html(&results, &SideFiles::default()).unwrap().contains("href=\"plots/"));
 }

@@ -5,7 +5,7 @@ use crate::judge::Bounds;
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::run::{self, Options};
 use freepath_harness::{power, soak};
-use freepath_report::Beside;
+use freepath_report::SideFiles;
 use freepath_results::{PowerResults, Results, SoakResults, Timings};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -67,17 +67,17 @@ fn show(input: &[u8], folder: &Path) -> Answer {
     let text = std::str::from_utf8(input).map_err(|why| why.to_string())?;
     let whole: Value = serde_json::from_str(text).map_err(|why| why.to_string())?;
     let results: Results = part(&whole, "results")?;
-    let beside = Beside {
+    let side_files = SideFiles {
         timings: part::<Timings>(&whole, "timings").ok(),
         power: part::<PowerResults>(&whole, "power").ok(),
         soak: part::<SoakResults>(&whole, "soak").ok(),
-        ..Beside::default()
+        ..SideFiles::default()
     };
     let options = freepath_report::Options { run: Some("run".into()), ..Default::default() };
-    let page = options.html(&results, &beside).map_err(|why| why.to_string())?;
+    let page = options.html(&results, &side_files).map_err(|why| why.to_string())?;
     assert!(!page.contains("<svg onload"), "text of a file is markup");
     if input.len().is_multiple_of(DRAWN) {
-        options.write(&results, &beside, folder).map_err(|why| why.to_string())?;
+        options.write(&results, &side_files, folder).map_err(|why| why.to_string())?;
     }
     Ok(())
 }

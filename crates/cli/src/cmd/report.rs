@@ -4,7 +4,7 @@ use crate::args::Report;
 use crate::command_error::CommandError;
 use crate::files;
 use crate::screen::{self, cell};
-use freepath_report::Beside;
+use freepath_report::SideFiles;
 use freepath_results::{POWER_SCHEMA_VERSION, PowerResults, Results, SCHEMA_VERSION, SOAK_VERSION, SoakResults};
 use serde::de::DeserializeOwned;
 use std::fs::{self, File};
@@ -14,7 +14,7 @@ use std::path::Path;
 /// The longest results.json that is read, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
 /// The longest file that is read beside it.
-const MOST_BESIDE: u64 = 64 << 20;
+const MOST_OF_SIDE_FILE: u64 = 64 << 20;
 
 /// Writes the report of the results beside them, or where it is told to.
 pub(crate) fn report(args: &Report) -> Result<u8, CommandError> {
@@ -25,29 +25,29 @@ pub(crate) fn report(args: &Report) -> Result<u8, CommandError> {
         _ => Path::new("."),
     };
     // Timings that are missing or unreadable are left out: they add to a report and decide nothing.
-    let clock = self::text(&folder.join("timings.json"), MOST_BESIDE).unwrap_or_default();
-    let beside = Beside { timings: serde_json::from_str(&clock).ok(), ..beside(folder) };
+    let clock = self::text(&folder.join("timings.json"), MOST_OF_SIDE_FILE).unwrap_or_default();
+    let side_files = SideFiles { timings: serde_json::from_str(&clock).ok(), ..side_files(folder) };
     let out = args.out.as_deref().unwrap_or(folder);
     files::open(out)?;
-    page(&results, &freepath_report::run_id(&text), &beside, out)?;
+    page(&results, &freepath_report::run_id(&text), &side_files, out)?;
     screen::print(&format!("report: {}\n", out.join("index.html").display()))?;
     Ok(0)
 }
 
 /// Writes the plots and, last, the page of the run of this id; timings of another run are left out.
-pub(crate) fn page(results: &Results, run: &str, beside: &Beside, out: &Path) -> Result<(), CommandError> {
+pub(crate) fn page(results: &Results, run: &str, side_files: &SideFiles, out: &Path) -> Result<(), CommandError> {
     let options = freepath_report::Options { run: Some(run.to_string()), ..Default::default() };
-    options.write(results, beside, out).map_err(CommandError::running)
+    options.write(results, side_files, out).map_err(CommandError::running)
 }
 
 /// What `freepath power` and `freepath soak` left in `folder`. What cannot be read is left out, and the page says so.
-pub(crate) fn beside(folder: &Path) -> Beside {
+pub(crate) fn side_files(folder: &Path) -> SideFiles {
     let mut left_out = Vec::new();
     let power = optional(folder, "power.json", |of: &PowerResults| of.schema_version == POWER_SCHEMA_VERSION);
     let soak = optional(folder, "soak.json", |of: &SoakResults| of.schema_version == SOAK_VERSION);
     let mut left = |why| left_out.push(why);
     let (power, soak) = (power.map_err(&mut left).ok().flatten(), soak.map_err(&mut left).ok().flatten());
-    Beside { power, soak, left_out, ..Beside::default() }
+    SideFiles { power, soak, left_out, ..SideFiles::default() }
 }
 
 /// The file of this name, if there is one; the error has no path, since it stands in the page.
@@ -60,7 +60,7 @@ fn optional<T: DeserializeOwned>(
     if !path.try_exists().unwrap_or(true) {
         return Ok(None);
     }
-    let text = text(&path, MOST_BESIDE)
+    let text = text(&path, MOST_OF_SIDE_FILE)
         .map_err(|_| format!("{name} lies beside the results and is not shown: it cannot be read."))?;
     match serde_json::from_str(&text) {
         Ok(of) if known(&of) => Ok(Some(of)),

@@ -8,7 +8,7 @@ use crate::{files, screen, table};
 use freepath_draws::simd;
 use freepath_harness::case::Prepared;
 use freepath_harness::run::{self, Outcome, exit_code};
-use freepath_report::Beside;
+use freepath_report::SideFiles;
 use freepath_results::{Real, Timings};
 use std::io::{IsTerminal, stdout};
 use std::time::Instant;
@@ -64,5 +64,5 @@ fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result
     files::write(&args.out.join("timings.json"), &clock)?;
     let results = serde_json::from_str(text).map_err(CommandError::running)?;
     let timings = Some(serde_json::from_str(&clock).map_err(CommandError::running)?);
-    report::page(&results, &run, &Beside { timings, ..report::beside(&args.out) }, &args.out)
+    report::page(&results, &run, &SideFiles { timings, ..report::side_files(&args.out) }, &args.out)
 }

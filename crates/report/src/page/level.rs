@@ -52,7 +52,7 @@ impl LevelView {
             count(libm::round(1.0 / site.results.alpha.0) as u64),
             short(site.results.stage_alpha.0)
         );
-        let soak = site.beside.soak.as_ref().map(SoakView::new);
+        let soak = site.side_files.soak.as_ref().map(SoakView::new);
         Self { lead, figures: FigureView::all(&figures.level), soak }
     }
 }

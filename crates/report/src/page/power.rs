@@ -63,7 +63,7 @@ const KINDS: [Kind; 4] = [
 impl PowerView {
     /// The section, if there is anything to show.
     pub(crate) fn new(site: &Site, figures: &Figures) -> Option<Self> {
-        let power = site.beside.power.as_ref()?;
+        let power = site.side_files.power.as_ref()?;
         let parts = KINDS.iter().map(|kind| part(power, kind)).filter(|part| !part.rows.is_empty());
         Some(Self {
             lead: lead(power),

@@ -33,7 +33,7 @@ impl Summary {
             facts: facts(site, run),
             repro: clean(&site.results.repro, 1000),
             left_out: site.left_out(),
-            unread: site.beside.left_out.iter().take(8).map(|why| clean(why, 300)).collect(),
+            unread: site.side_files.left_out.iter().take(8).map(|why| clean(why, 300)).collect(),
         }
     }
 }

@@ -1,14 +1,14 @@
 //! A made-up run, with everything a report can show. No number here was sampled by any estimator.
 
-mod beside;
 mod media;
 mod noise;
+mod side_files;
 mod subjects;
 
-pub(crate) use beside::beside;
 use freepath_results::{Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings};
 use media::Medium;
 use noise::Noise;
+pub(crate) use side_files::side_files;
 
 /// Results of some 150 subjects in 12 media, and their timings.
 #[must_use]

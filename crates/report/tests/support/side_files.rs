@@ -1,7 +1,7 @@
 //! What `freepath power` and `freepath soak` would leave beside a run.
 
 use super::noise::Noise;
-use freepath_report::Beside;
+use freepath_report::SideFiles;
 use freepath_results::{
     AlarmRate, LevelResult, POWER_SCHEMA_VERSION, PowerResults, PowerRow, QuantileSeries, Real, Reason, Role,
     Rung, SOAK_VERSION, Sighting, SoakAlarm, SoakFact, SoakResults, SoakTest, Verdict,
@@ -9,8 +9,8 @@ use freepath_results::{
 
 /// Both, without timings.
 #[must_use]
-pub(crate) fn beside() -> Beside {
-    Beside { power: Some(power()), soak: Some(soak()), ..Beside::default() }
+pub(crate) fn side_files() -> SideFiles {
+    SideFiles { power: Some(power()), soak: Some(soak()), ..SideFiles::default() }
 }
 
 fn power() -> PowerResults {

@@ -1,10 +1,10 @@
-//! What may lie beside results.json.
+//! Files that may lie beside results.json.
 
 use freepath_results::{PowerResults, SoakResults, Timings};
 
 /// Further findings that the page shows, each from a file of its own: they add to a report and decide nothing.
 #[derive(Clone, Debug, Default)]
-pub struct Beside {
+pub struct SideFiles {
     /// `timings.json`.
     pub timings: Option<Timings>,
     /// `power.json`, of `freepath power`.
@@ -15,7 +15,7 @@ pub struct Beside {
     pub left_out: Vec<String>,
 }
 
-impl Beside {
+impl SideFiles {
     /// Timings alone.
     #[must_use]
     pub fn timed(timings: Option<&Timings>) -> Self {
