@@ -49,9 +49,11 @@ pub fn power(cases: &[Prepared], options: &Options) -> Result<PowerResults, Canc
 #[must_use]
 pub fn exit_code(results: &PowerResults) -> u8 {
     let surprises: Vec<_> = results.rows.iter().filter(|row| !row.as_expected).collect();
-    match () {
-        () if surprises.is_empty() => 0,
-        () if surprises.iter().all(|row| row.verdict == Verdict::Inconclusive) => 4,
-        () => 1,
+    if surprises.is_empty() {
+        0
+    } else if surprises.iter().all(|row| row.verdict == Verdict::Inconclusive) {
+        4
+    } else {
+        1
     }
 }

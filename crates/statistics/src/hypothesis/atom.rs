@@ -50,11 +50,14 @@ pub(super) fn standardised(difference: f64, error: f64) -> f64 {
 #[must_use]
 pub fn nearest(seen: f64, expected: f64, slack: f64) -> f64 {
     let (low, high) = (expected - slack, expected + slack);
-    match () {
-        () if seen < low => low,
-        () if seen > high => high,
-        () if slack > 0.0 => seen,
-        () => expected,
+    if seen < low {
+        low
+    } else if seen > high {
+        high
+    } else if slack > 0.0 {
+        seen
+    } else {
+        expected
     }
 }
 

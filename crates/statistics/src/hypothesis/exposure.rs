@@ -114,15 +114,16 @@ const DEEPEST: f64 = 750.0;
 /// E[tau | a < tau < b] of an exponential tau.
 fn mean_depth(a: f64, b: f64) -> f64 {
     let width = b - a;
-    match () {
-        () if a == f64::INFINITY => DEEPEST,
-        () if width == f64::INFINITY => a + 1.0,
+    if a == f64::INFINITY {
+        DEEPEST
+    } else if width == f64::INFINITY {
+        a + 1.0
+    } else if width < 1e-2 {
         // the series' next term is width^6 / 30240
-        () if width < 1e-2 => {
-            let square = width * width;
-            a + 0.5 * width - square / 12.0 + square * square / 720.0
-        }
-        () => a + 1.0 - width / libm::expm1(width),
+        let square = width * width;
+        a + 0.5 * width - square / 12.0 + square * square / 720.0
+    } else {
+        a + 1.0 - width / libm::expm1(width)
     }
 }
 

@@ -35,10 +35,12 @@ impl Bets {
         let (below, above) = (expected - range.0, range.1 - expected);
         let variance = variance.filter(|v| *v >= 0.0).unwrap_or(below * above);
         let (kelly, most) = (bound / (variance + bound * bound), 0.5 / (range.1 - range.0 + bound + slack));
-        let lambda = match () {
-            () if !(bound > 0.0) => 0.0,
-            () if kelly < most => kelly,
-            () => most,
+        let lambda = if !(bound > 0.0) {
+            0.0
+        } else if kelly < most {
+            kelly
+        } else {
+            most
         };
         Self {
             against: [expected - bound, expected + bound, expected + slack, expected - slack],

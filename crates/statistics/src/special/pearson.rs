@@ -22,11 +22,12 @@ pub fn pearson_two_sided(skewness: f64, z: f64) -> f64 {
     }
     let k = 4.0 / (g * g);
     let x = k + z * k.sqrt();
-    let tail = match () {
-        () if x <= 0.0 => 0.0, // below all
-        () if x == f64::INFINITY => 0.0,
-        () if z < 0.0 => gamma_tails(k, x).0,
-        () => gamma_tails(k, x).1,
+    let tail = if x <= 0.0 || x == f64::INFINITY {
+        0.0 // outside the support, or beyond all of it
+    } else if z < 0.0 {
+        gamma_tails(k, x).0
+    } else {
+        gamma_tails(k, x).1
     };
     if tail > 0.5 { 1.0 } else { 2.0 * tail }
 }

@@ -113,10 +113,12 @@ impl PowerSums {
     pub fn skewness(&self) -> f64 {
         let (n, b, v) = (self.n as f64, self.bias(), self.variance());
         let m3 = self.sums[2] / n - 3.0 * b * self.sums[1] / n + 2.0 * b * b * b;
-        match () {
-            () if v > LEAST_VARIANCE => m3 / (v * v.sqrt()),
-            () if self.constant() || b * b > LEAST_VARIANCE => 0.0,
-            () => f64::NAN,
+        if v > LEAST_VARIANCE {
+            m3 / (v * v.sqrt())
+        } else if self.constant() || b * b > LEAST_VARIANCE {
+            0.0
+        } else {
+            f64::NAN
         }
     }
 

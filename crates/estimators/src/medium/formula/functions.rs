@@ -40,10 +40,12 @@ fn greater(a: f64, b: f64) -> f64 {
 
 /// 0 before the edge, 1 from there on.
 fn step(edge: f64, x: f64) -> f64 {
-    match () {
-        () if x < edge => 0.0,
-        () if x >= edge => 1.0,
-        () => f64::NAN,
+    if x < edge {
+        0.0
+    } else if x >= edge {
+        1.0
+    } else {
+        f64::NAN
     }
 }
 
