@@ -20,6 +20,7 @@ mod page;
 mod plot;
 mod run_id;
 mod save;
+mod shown;
 mod side_files;
 mod site;
 mod text;

@@ -1,5 +1,6 @@
 //! The page: what the template shows, in its words.
 
+mod attention;
 mod case;
 mod controls;
 mod figure;
@@ -18,6 +19,7 @@ use crate::site::Site;
 use crate::text::script_json;
 use crate::{Options, ReportError};
 use askama::Template;
+use attention::Attention;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use case::CaseView;
 use controls::ControlRow;
@@ -42,7 +44,7 @@ struct Page {
     script: &'static str,
     json: String,
     summary: Summary,
-    attention: Vec<Row>,
+    attention: Attention,
     matrix: Matrix,
     controls: Vec<ControlRow>,
     level: LevelView,
@@ -57,7 +59,6 @@ struct Page {
 
 /// The whole page as HTML.
 pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options) -> Result<String, ReportError> {
-    let rows: Vec<Row> = site.subjects.iter().map(|s| Row::new(site, s)).collect();
     let readings = Reading::all(site, figures);
     let cases = (0..site.cases.len()).into_par_iter().map(|i| CaseView::new(site, figures, &readings, i));
     let page = Page {
@@ -67,12 +68,12 @@ pub(crate) fn html(site: &Site, figures: &Figures, run: &str, options: &Options)
         script: SCRIPT,
         json: script_json(&facts(site, run)),
         summary: Summary::new(site, run),
-        attention: rows.iter().filter(|row| row.surprising).cloned().collect(),
+        attention: Attention::new(site),
         matrix: Matrix::new(site),
         controls: controls::rows(site),
         level: LevelView::new(site, figures),
         power: PowerView::new(site, figures),
-        rows,
+        rows: Row::all(site),
         cases: cases.collect(),
         readings,
         png: options.png,

@@ -1,19 +1,23 @@
 //! The results with an address for each part, and in the order of the page.
 
 use crate::SideFiles;
+use crate::shown::at_most;
 use crate::text::{Slugs, clean};
 use freepath_results::{MediumResult, Results, SubjectResult, Timings};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-/// Most subjects that a page shows.
-pub(crate) const MOST_SUBJECTS: usize = 2000;
+/// Most subjects, and most media, that have a section of their own.
+pub(crate) const MOST_SECTIONS: usize = 2000;
 
 /// Everything that a report shows.
 pub(crate) struct Site<'a> {
     pub(crate) results: &'a Results,
     pub(crate) timings: Option<&'a Timings>,
     pub(crate) side_files: &'a SideFiles,
+    /// Those with a section, in the order of the results: what is not as expected goes before what is.
     pub(crate) subjects: Vec<Subject<'a>>,
+    /// Those not as expected for which no section was left.
+    pub(crate) beyond: Vec<&'a SubjectResult>,
     pub(crate) cases: Vec<Case<'a>>,
 }
 
@@ -42,6 +46,8 @@ impl Subject<'_> {
 /// One medium along one ray, with the subjects that met it.
 pub(crate) struct Case<'a> {
     pub(crate) id: String,
+    /// Its number in the results, from 1.
+    pub(crate) number: usize,
     pub(crate) title: String,
     pub(crate) medium: Option<&'a MediumResult>,
     /// Indices into [`Site::subjects`].
@@ -50,18 +56,14 @@ pub(crate) struct Case<'a> {
 
 impl<'a> Site<'a> {
     pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, side_files: &'a SideFiles) -> Self {
+        let chosen = at_most(&results.results, MOST_SECTIONS, |r| !r.as_expected);
         let mut slugs = Slugs::default();
-        let mut cases: Vec<Case> = results.media.iter().take(MOST_SUBJECTS).map(|m| case(m, &mut slugs)).collect();
+        let mut cases = cases(results, &chosen, &mut slugs);
         let (seconds, logs) = (per_draw(timings), logs(timings));
-        let mut orphans = false;
         let mut subjects = vec![];
-        for result in results.results.iter().take(MOST_SUBJECTS) {
-            let home =
-                if result.medium < cases.len() { result.medium } else { cases.len() - usize::from(orphans) };
-            if home == cases.len() {
-                cases.push(lost(&mut slugs));
-                orphans = true;
-            }
+        for &i in &chosen {
+            let result = &results.results[i];
+            let home = home(&mut cases, result, results.media.len(), &mut slugs);
             cases[home].members.push(subjects.len());
             subjects.push(Subject {
                 id: slugs.take("s-", &result.id),
@@ -72,7 +74,7 @@ impl<'a> Site<'a> {
                 case: home,
             });
         }
-        Self { results, timings, side_files, subjects, cases }
+        Self { results, timings, side_files, subjects, beyond: beyond(results, &chosen), cases }
     }
 
     /// The subjects of a case.
@@ -85,22 +87,51 @@ impl<'a> Site<'a> {
         self.subjects.iter().find(|subject| subject.result.id == id)
     }
 
-    /// How many subjects are not shown.
+    /// How many subjects are as expected and not shown.
     pub(crate) fn left_out(&self) -> usize {
-        self.results.results.len() - self.subjects.len()
+        self.results.results.len() - self.subjects.len() - self.beyond.len()
+    }
+
+    /// How many media are not shown, no shown subject having met them.
+    pub(crate) fn media_left_out(&self) -> usize {
+        self.results.media.len() - self.cases.iter().filter(|case| case.medium.is_some()).count()
     }
 }
 
-fn case<'a>(medium: &'a MediumResult, slugs: &mut Slugs) -> Case<'a> {
-    let ray = medium.ray.map_or(String::new(), |ray| format!(", ray {ray}"));
-    let title = format!("{}{ray}", clean(&medium.case, 200));
-    Case { id: slugs.take("c-", &title), title, medium: Some(medium), members: vec![] }
+/// The media that the `chosen` subjects met, and as many others as have room.
+fn cases<'a>(results: &'a Results, chosen: &[usize], slugs: &mut Slugs) -> Vec<Case<'a>> {
+    let met: HashSet<usize> = chosen.iter().map(|&i| results.results[i].medium).collect();
+    let numbered: Vec<(usize, &MediumResult)> = results.media.iter().enumerate().collect();
+    let shown = at_most(&numbered, MOST_SECTIONS, |(i, _)| met.contains(i));
+    shown.into_iter().map(|i| case(i, &results.media[i], slugs)).collect()
 }
 
-/// For subjects whose medium the results do not hold.
-fn lost<'a>(slugs: &mut Slugs) -> Case<'a> {
-    let title = "Medium not in the results".to_string();
-    Case { id: slugs.take("c-", &title), title, medium: None, members: vec![] }
+fn case<'a>(i: usize, medium: &'a MediumResult, slugs: &mut Slugs) -> Case<'a> {
+    let title = title(medium);
+    Case { id: slugs.take("c-", &title), number: i + 1, title, medium: Some(medium), members: vec![] }
+}
+
+/// The title of a case, with the ray if it has several.
+pub(crate) fn title(medium: &MediumResult) -> String {
+    let ray = medium.ray.map_or(String::new(), |ray| format!(", ray {ray}"));
+    format!("{}{ray}", clean(&medium.case, 200))
+}
+
+/// Where among the cases a subject belongs; the first whose medium the results do not hold opens one more.
+fn home(cases: &mut Vec<Case>, result: &SubjectResult, media: usize, slugs: &mut Slugs) -> usize {
+    let number = if result.medium < media { result.medium + 1 } else { media + 1 };
+    cases.binary_search_by_key(&number, |case| case.number).unwrap_or_else(|at| {
+        let title = "Medium not in the results".to_string();
+        cases.insert(at, Case { id: slugs.take("c-", &title), number, title, medium: None, members: vec![] });
+        at
+    })
+}
+
+/// What is not as expected and has no section.
+fn beyond<'a>(results: &'a Results, chosen: &[usize]) -> Vec<&'a SubjectResult> {
+    let chosen: HashSet<usize> = chosen.iter().copied().collect();
+    let others = results.results.iter().enumerate().filter(|(i, _)| !chosen.contains(i));
+    others.map(|(_, result)| result).filter(|result| !result.as_expected).collect()
 }
 
 fn logs(timings: Option<&Timings>) -> HashMap<&str, &str> {

@@ -30,13 +30,13 @@ impl CaseView {
         let view = |&m: &usize| Some(SubjectView::new(site.subjects.get(m)?, of(m), readings));
         Self {
             id: case.id.clone(),
-            number: i + 1,
+            number: case.number,
             title: case.title.clone(),
             file: case.medium.map_or_else(String::new, |m| clean(&m.file, 200)),
             medium: case.medium.map_or_else(String::new, sentence),
             parameters: case.medium.map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
             figures: FigureView::all(figures.cases.get(i).unwrap_or(&none)),
-            ranking: ranking::of(site, i),
+            ranking: ranking::of(site, case),
             subjects: case.members.iter().filter_map(view).collect(),
         }
     }

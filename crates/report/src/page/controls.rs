@@ -19,16 +19,20 @@ pub(crate) struct ControlRow {
 
 /// A fault that its setting hides, or that does no harm, must pass.
 fn outcome(result: &SubjectResult) -> &'static str {
-    match (result.as_expected, result.verdict, result.masks_fault) {
-        (false, ..) => "not as expected",
-        (true, Verdict::Pass, true) => "hidden, as it must be",
-        (true, Verdict::Pass, false) => "harmless, and passes",
-        (true, ..) => "caught",
+    if !result.as_expected {
+        return "not as expected";
+    }
+    match result.verdict {
+        Verdict::Pass if result.masks_fault => "hidden, as it must be",
+        Verdict::Pass => "harmless, and passes",
+        Verdict::Inconclusive | Verdict::Fail => "caught",
     }
 }
 
 pub(crate) fn rows(site: &Site) -> Vec<ControlRow> {
-    let controls = site.subjects.iter().filter(|s| s.is_control());
+    let mut controls: Vec<_> = site.subjects.iter().filter(|s| s.is_control()).collect();
+    controls.sort_by_key(|s| s.result.as_expected);
+    let controls = controls.into_iter();
     controls
         .map(|s| ControlRow {
             letter: Letter::new(s),

@@ -3,11 +3,12 @@
 use super::figure::FigureView;
 use crate::figures::Figures;
 use crate::number::{count, short};
+use crate::shown::Shown;
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_results::{AlarmRate, LevelResult, Real, SoakResults, SoakTest};
+use freepath_results::{AlarmRate, LevelResult, Real, SoakFact, SoakResults, SoakTest};
 
-/// Most rows of a table.
+/// Most rows of a table, if all hold.
 const MOST: usize = 200;
 
 /// The section.
@@ -24,6 +25,8 @@ pub(crate) struct SoakView {
     /// What was seen for certain of right subjects.
     pub(crate) facts: Vec<String>,
     pub(crate) tests: Vec<TestRow>,
+    /// How many levels and tests are left out, all of which hold.
+    pub(crate) left_out: usize,
     pub(crate) repro: String,
 }
 
@@ -69,14 +72,17 @@ impl SoakView {
             count(soak.p_values),
             short(soak.family_level.0)
         );
-        let facts = soak.facts.iter().take(MOST);
+        let alarms = |of: &LevelResult| alarms(of, soak.family_level.0);
+        let levels = Shown::new(&soak.levels, MOST, |of| alarms(of).iter().any(|row| row.broken));
+        let tests = Shown::new(&soak.tests, MOST, |of| broken(of).is_some());
+        let fact =
+            |f: &SoakFact| format!("{} (seed {}): {}", clean(&f.subject, 120), f.seed, clean(&f.words, 300));
         Self {
             lead,
-            alarms: soak.levels.iter().take(MOST).flat_map(|of| alarms(of, soak.family_level.0)).collect(),
-            facts: facts
-                .map(|f| format!("{} (seed {}): {}", clean(&f.subject, 120), f.seed, clean(&f.words, 300)))
-                .collect(),
-            tests: soak.tests.iter().take(MOST).map(test).collect(),
+            alarms: levels.items.into_iter().flat_map(alarms).collect(),
+            facts: soak.facts.iter().map(fact).collect(),
+            tests: tests.items.into_iter().map(test).collect(),
+            left_out: levels.left_out + tests.left_out,
             repro: clean(&soak.repro, 1000),
         }
     }
@@ -103,13 +109,17 @@ fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 3] {
     ]
 }
 
+/// What is wrong with a test, if anything is.
+fn broken(of: &SoakTest) -> Option<&'static str> {
+    match (of.holds, of.declared) {
+        (true, true) => None,
+        (false, true | false) => Some("broken"),
+        (true, false) => Some("not declared"),
+    }
+}
+
 fn test(of: &SoakTest) -> TestRow {
     let share = |i: usize| of.shares.get(i).map_or("–".into(), |share: &Real| short(share.0));
-    let broken = match (of.holds, of.declared) {
-        (true, true) => None,
-        (false, _) => Some("broken"),
-        (true, false) => Some("not declared"),
-    };
     TestRow {
         name: clean(&words(&of.test), 60),
         law: clean(&words(&of.null), 30),
@@ -122,6 +132,6 @@ fn test(of: &SoakTest) -> TestRow {
             short(of.above.0),
             short(of.p_adjusted.0),
         ],
-        broken,
+        broken: broken(of),
     }
 }

@@ -105,12 +105,7 @@ fn column(site: &Site, cases: &[usize]) -> Column {
     let case = &site.cases[cases[0]];
     let path = std::path::Path::new(file(site, cases[0]));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    Column {
-        number: cases[0] + 1,
-        id: case.id.clone(),
-        short: clean(&words(&stem), 30),
-        title: case.title.clone(),
-    }
+    Column { number: case.number, id: case.id.clone(), short: clean(&words(&stem), 30), title: case.title.clone() }
 }
 
 fn row(name: String, members: &[&Subject], used: &[Vec<usize>]) -> MatrixRow {

@@ -3,11 +3,12 @@
 use super::figure::FigureView;
 use crate::figures::Figures;
 use crate::number::{count, probability, short};
+use crate::shown::Shown;
 use crate::site::Site;
 use crate::text::{clean, words};
 use freepath_results::{PowerResults, PowerRow, Role};
 
-/// Most rows of one table.
+/// Most rows of one table, if all are as they must be.
 const MOST: usize = 500;
 
 /// The section.
@@ -25,6 +26,8 @@ pub(crate) struct Part {
     /// The fourth to sixth column.
     pub(crate) heads: [&'static str; 3],
     pub(crate) rows: Vec<Row>,
+    /// How many rows are left out, all as they must be.
+    pub(crate) left_out: usize,
 }
 
 /// One fault in one medium.
@@ -91,8 +94,10 @@ fn lead(power: &PowerResults) -> String {
 }
 
 fn part(power: &PowerResults, (role, title, words, heads): &Kind) -> Part {
-    let rows = power.rows.iter().filter(|row| row.role == *role).take(MOST);
-    Part { title, words, heads: *heads, rows: rows.map(row).collect() }
+    let of_role = power.rows.iter().filter(|row| row.role == *role);
+    let shown = Shown::new(of_role, MOST, |row| !row.as_expected);
+    let rows = shown.items.into_iter().map(row).collect();
+    Part { title, words, heads: *heads, rows, left_out: shown.left_out }
 }
 
 fn row(of: &PowerRow) -> Row {

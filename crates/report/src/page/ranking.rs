@@ -1,9 +1,10 @@
 //! The estimators of a medium by efficiency, as far as they can be told apart.
 
 use crate::number::{digits, short};
-use crate::site::Site;
+use crate::site::{Case, Site};
 use crate::text::clean;
 use freepath_results::{RankedPair, Ranking};
+use std::collections::HashSet;
 
 /// Most rows of a table.
 const MOST: usize = 60;
@@ -27,9 +28,9 @@ pub(crate) struct RankingRow {
     pub(crate) decided: &'static str,
 }
 
-/// The table of the `i`th medium, if two could be compared.
-pub(crate) fn of(site: &Site, i: usize) -> Option<RankingView> {
-    let ranking = site.results.rankings.iter().find(|ranking| ranking.medium == i)?;
+/// The table of a medium, if two could be compared.
+pub(crate) fn of(site: &Site, case: &Case) -> Option<RankingView> {
+    let ranking = site.results.rankings.iter().find(|ranking| ranking.medium + 1 == case.number)?;
     (ranking.order.len() > 1).then(|| RankingView {
         sentence: sentence(site, ranking),
         rows: rows(site, ranking),
@@ -43,8 +44,13 @@ fn name(site: &Site, id: &str) -> String {
 
 /// The comparison of the first with `id`.
 fn against<'a>(ranking: &'a Ranking, id: &str) -> Option<&'a RankedPair> {
-    let first = &ranking.order.first()?.id;
-    ranking.pairs.iter().find(|pair| pair.better == *first && pair.worse == id)
+    of_first(ranking).find(|pair| pair.worse == id)
+}
+
+/// The comparisons in which the first is the better one.
+fn of_first(ranking: &Ranking) -> impl Iterator<Item = &RankedPair> {
+    let first = ranking.order.first().map(|first| first.id.as_str());
+    ranking.pairs.iter().filter(move |pair| first == Some(pair.better.as_str()))
 }
 
 /// The interval excludes equal work, and so does Holm over all pairs.
@@ -55,16 +61,15 @@ fn decided(pair: &RankedPair) -> bool {
 /// There is a winner only if it is better than each of the others for certain.
 fn sentence(site: &Site, ranking: &Ranking) -> String {
     let Some(first) = ranking.order.first() else { return String::new() };
-    let others = || ranking.order.iter().take(MOST).skip(1).map(|other| against(ranking, &other.id));
-    let wins = others().all(|pair| pair.is_some_and(decided));
-    let equal = others().filter(|pair| !pair.is_some_and(decided)).count();
+    let worse: HashSet<&str> = of_first(ranking).filter(|p| decided(p)).map(|p| p.worse.as_str()).collect();
+    let equal = ranking.order.iter().skip(1).filter(|other| !worse.contains(other.id.as_str())).count();
     let name = name(site, &first.id);
-    let found = match (wins, equal) {
-        (true, _) => {
+    let found = match equal {
+        0 => {
             format!("{name} needs the least work for the same error, and less than each other one for certain.")
         }
-        (false, 1) => format!("There is no winner: {name} is first, but one other could be as good."),
-        (false, n) => format!("There is no winner: {name} is first, but {n} others could be as good."),
+        1 => format!("There is no winner: {name} is first, but one other could be as good."),
+        n => format!("There is no winner: {name} is first, but {n} others could be as good."),
     };
     format!("{found} The chance of any wrong “certain” here is at most {}.", short(ranking.level.0))
 }
@@ -96,8 +101,16 @@ fn notes(site: &Site, ranking: &Ranking) -> Vec<String> {
     let exact: Vec<_> = ranking.exact.iter().take(MOST).map(|id| name(site, id)).collect();
     let exact = (!exact.is_empty()).then(|| format!("Without variance, and so not ranked: {}.", exact.join(", ")));
     let refused = ranking.refused.iter().take(MOST);
-    exact
-        .into_iter()
-        .chain(refused.map(|of| format!("Not ranked: {}: {}.", name(site, &of.id), clean(&of.why, 200))))
-        .collect()
+    let refused = refused.map(|of| format!("Not ranked: {}: {}.", name(site, &of.id), clean(&of.why, 200)));
+    exact.into_iter().chain(refused).chain(left_out(ranking)).collect()
+}
+
+fn left_out(ranking: &Ranking) -> Option<String> {
+    let lengths = [ranking.order.len(), ranking.exact.len(), ranking.refused.len()];
+    match lengths.map(|length| length.saturating_sub(MOST)) {
+        [0, 0, 0] => None,
+        [ranked, exact, refused] => Some(format!(
+            "Left out here and told of in results.json: {ranked} that are ranked, {exact} without variance, {refused} not ranked."
+        )),
+    }
 }

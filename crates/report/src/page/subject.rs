@@ -5,6 +5,7 @@ use super::matrix::Letter;
 use super::words;
 use crate::figures::Drawn;
 use crate::number::{count, probability, short};
+use crate::shown::at_most;
 use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{FactResult, Real, Reason, SubjectResult, TestResult};
@@ -32,6 +33,8 @@ pub(crate) struct SubjectView {
     pub(crate) parameters: String,
     pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
+    /// What is shown only in part.
+    pub(crate) left_out: String,
     pub(crate) repro: String,
     pub(crate) log: Vec<String>,
     pub(crate) figures: Vec<FigureView>,
@@ -85,7 +88,8 @@ impl SubjectView {
             draws: draws(subject),
             parameters: clean(&result.parameters.to_string(), 600),
             facts: result.facts.iter().take(MOST).map(fact).collect(),
-            tests: result.tests.iter().take(MOST).map(test).collect(),
+            tests: tests(result).into_iter().map(test).collect(),
+            left_out: left_out(result),
             repro: clean(&result.repro, 1000),
             log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
             figures: FigureView::with_readings(figures, if quiet { readings } else { &[] }),
@@ -101,11 +105,39 @@ fn reason(reason: &Reason) -> ReasonView {
 /// What the tables of tests and facts do not tell.
 fn notes(result: &SubjectResult) -> Vec<String> {
     let facts = || result.facts.iter().take(MOST);
-    let tests = || result.tests.iter().take(MOST).filter(|test| test.rejected);
-    let of_test =
-        |note: &str| tests().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")));
-    let in_tables = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
-    result.notes.iter().take(MOST).filter(|note| !in_tables(note)).map(|note| clean(note, 600)).collect()
+    let rejected: Vec<_> = tests(result).into_iter().filter(|test| test.rejected).collect();
+    let of_test = |note: &str| {
+        rejected.iter().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")))
+    };
+    let told = |note: &&String| facts().any(|fact| fact.words == **note) || of_test(note);
+    result.notes.iter().take(MOST).filter(|note| !told(note)).map(|note| clean(note, 600)).collect()
+}
+
+/// The tests that are shown: those that reject before all others.
+fn tests(result: &SubjectResult) -> Vec<&TestResult> {
+    at_most(&result.tests, MOST, |test| test.rejected).into_iter().map(|i| &result.tests[i]).collect()
+}
+
+fn left_out(result: &SubjectResult) -> String {
+    let rejected = |tests: &mut dyn Iterator<Item = &TestResult>| tests.filter(|test| test.rejected).count();
+    let unseen = rejected(&mut result.tests.iter()) - rejected(&mut tests(result).into_iter());
+    let lengths = [
+        ("notes", result.notes.len()),
+        ("facts", result.facts.len()),
+        ("tests", result.tests.len()),
+        ("channels", result.channels.len()),
+    ];
+    let cut = lengths.iter().filter(|(_, length)| *length > MOST);
+    let cut: Vec<_> = cut.map(|(what, length)| format!("{} {what}", length - MOST)).collect();
+    match (cut.is_empty(), unseen) {
+        (true, _) => String::new(),
+        (false, 0) => {
+            format!("Left out here and told of in results.json: {}; no test among them rejects.", cut.join(", "))
+        }
+        (false, n) => {
+            format!("Left out here and told of in results.json: {}; {n} of the tests reject.", cut.join(", "))
+        }
+    }
 }
 
 /// The paragraph of `text` that begins with `name`, in one line and with the full stop that ends it.

@@ -15,7 +15,8 @@ pub(crate) struct Summary {
     /// Name, value, explanation.
     pub(crate) facts: Vec<(&'static str, String, String)>,
     pub(crate) repro: String,
-    pub(crate) left_out: usize,
+    /// What has no place on the page.
+    pub(crate) left_out: Vec<String>,
     /// Files beside the results that are not shown.
     pub(crate) unread: Vec<String>,
 }
@@ -32,7 +33,7 @@ impl Summary {
             counts: counts(site, surprises),
             facts: facts(site, run),
             repro: clean(&site.results.repro, 1000),
-            left_out: site.left_out(),
+            left_out: left_out(site),
             unread: site.side_files.left_out.iter().take(8).map(|why| clean(why, 300)).collect(),
         }
     }
@@ -46,6 +47,25 @@ fn headline(all: usize, surprises: usize) -> String {
         (n, 1) => format!("1 of {n} subjects is not as expected"),
         (n, k) => format!("{k} of {n} subjects are not as expected"),
     }
+}
+
+fn left_out(site: &Site) -> Vec<String> {
+    let subjects = match site.left_out() {
+        0 => None,
+        1 => Some(
+            "One further subject, as expected, is told of in results.json alone: this page would be too long."
+                .into(),
+        ),
+        n => Some(format!(
+            "{} further subjects, all as expected, are told of in results.json alone: this page would be too long.",
+            count(n as u64)
+        )),
+    };
+    let media = match site.media_left_out() {
+        0 => None,
+        n => Some(format!("Media of results.json without a section here: {}.", count(n as u64))),
+    };
+    subjects.into_iter().chain(media).collect()
 }
 
 /// The fault is harmless, or hidden by its setting.

@@ -7,7 +7,6 @@ use crate::text::{clean, words};
 use freepath_results::{MeanResult, SubjectResult};
 
 /// A number as shown and as sorted.
-#[derive(Clone)]
 pub(crate) struct Cell {
     pub(crate) text: String,
     pub(crate) key: String,
@@ -24,13 +23,11 @@ impl Cell {
 }
 
 /// One subject in one line.
-#[derive(Clone)]
 pub(crate) struct Row {
     pub(crate) id: String,
     pub(crate) verdict: String,
     pub(crate) class: &'static str,
     pub(crate) surprising: bool,
-    pub(crate) expected: String,
     pub(crate) subject: String,
     pub(crate) estimator: String,
     pub(crate) case: String,
@@ -40,7 +37,14 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    pub(crate) fn new(site: &Site, subject: &Subject) -> Self {
+    /// What is not as expected above everything else.
+    pub(crate) fn all(site: &Site) -> Vec<Self> {
+        let mut rows: Vec<Row> = site.subjects.iter().map(|subject| Row::new(site, subject)).collect();
+        rows.sort_by_key(|row| !row.surprising);
+        rows
+    }
+
+    fn new(site: &Site, subject: &Subject) -> Self {
         let result = subject.result;
         let same = |x: f64| x;
         let [gap, bound, detectable] = measures(result);
@@ -49,7 +53,6 @@ impl Row {
             verdict: result.verdict.to_string(),
             class: class(result.verdict),
             surprising: !result.as_expected,
-            expected: clean(&words(&result.expected), 80),
             subject: subject.name.clone(),
             estimator: estimator(subject),
             case: site.cases[subject.case].title.clone(),

@@ -7,13 +7,16 @@ use freepath_results::{PowerResults, PowerRow, Role};
 
 /// Height of a row.
 const ROW: f64 = 19.0;
-/// Most rows.
+/// Most rows: the table has them all.
 const MOST: usize = 100;
 
 /// The faults that must be caught, the cheapest first.
 pub(crate) fn figure(power: &PowerResults) -> Option<Figure> {
-    let mut rows: Vec<&PowerRow> = power.rows.iter().filter(|row| row.role == Role::Caught).take(MOST).collect();
+    let mut rows: Vec<&PowerRow> = power.rows.iter().filter(|row| row.role == Role::Caught).collect();
     rows.sort_by_key(|row| (row.needed.unwrap_or(u64::MAX), row.draws));
+    // What is not seen stands last, and is what must not be missed.
+    let cheapest = rows.len().saturating_sub(MOST);
+    let rows = rows.split_off(cheapest);
     let words = "Draws of stage 1 that each fault needs until both stages reject it, or a fact contradicts it: the fewest among the \
                  doublings of 256. The thin line goes on to the full effort of the case: the longer, the more room is left for a \
                  smaller fault. What told is written behind the marker."
