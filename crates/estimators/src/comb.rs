@@ -4,7 +4,7 @@ use crate::extinction::Extinction;
 use crate::parameter::{self, ParameterError};
 
 /// The most steps of a ray.
-pub const MOST_STEPS: usize = 100_000_000;
+const MOST_STEPS: usize = 100_000_000;
 
 /// Points of one look-up tile.
 pub(crate) const TILE: usize = 256;

@@ -4,15 +4,14 @@ use crate::capability::Capability;
 use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
+use crate::path::FreePath;
 use crate::woodcock::one_by_one;
 use freepath_draws::{Draws, PathColumns, Streams, column};
 
 pub(crate) mod delta_tracking;
-pub(crate) mod path;
 mod ray_marching;
 mod regular_tracking;
 
-pub use path::FreePath;
 pub use ray_marching::rule::MarchingRule;
 
 /// Draws distances to the next collision: P(t <= x) = 1 - exp(-tau(x)), and escape with probability exp(-tau(length)).

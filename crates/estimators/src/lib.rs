@@ -20,31 +20,37 @@
 //! # Ok::<(), freepath_estimators::ParameterError>(())
 //! ```
 
+mod bounding;
 pub mod capability;
 pub mod chromatic;
 pub mod claims;
-pub mod comb;
+mod comb;
 mod control;
 pub mod density;
 pub mod estimate;
-pub mod extinction;
+mod extinction;
 pub mod free_path;
 pub mod list;
-pub mod majorants;
+mod majorant_choice;
+mod majorants;
 pub mod medium;
 pub mod parameter;
+mod path;
 pub mod transmittance;
 pub mod woodcock;
 
+pub use bounding::Shortfall;
 pub use capability::Capability;
 pub use chromatic::ChromaticSampler;
+pub use comb::Steps;
 pub use density::DensitySampler;
 pub use estimate::Estimator;
 pub use extinction::{Cells, Extinction, Medium, Under};
-pub use free_path::{FreePath, FreePathSampler};
+pub use free_path::FreePathSampler;
 pub use freepath_draws::{Draws, Key, Streams};
 pub use list::List;
+pub use majorant_choice::MajorantChoice;
 pub use majorants::Majorants;
-pub use majorants::choice::MajorantChoice;
 pub use parameter::ParameterError;
+pub use path::FreePath;
 pub use transmittance::TransmittanceEstimator;

@@ -1,8 +1,5 @@
 //! Majorants: upper bounds of mu by segment, and what a renderer precomputes beside them.
 
-pub(crate) mod choice;
-mod measured;
-
 /// Piecewise constant bounds: in segment `k`, up to `ends()[k]`, mu lies between `mu_min()[k]` and `mu_bar()[k]` and
 /// has the mean `mu_mean()[k]`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +17,22 @@ impl Majorants {
         Self { ends: vec![length], mu_bar: vec![mu_bar], mu_min: vec![0.0], mu_mean: vec![f64::NAN] }
     }
 
-    /// Where the segments end, increasing; the last is the length.
+    /// Bounds of which minimum and mean are not known yet.
+    pub(crate) fn unmeasured(ends: Vec<f64>, mu_bar: Vec<f64>) -> Self {
+        Self { ends, mu_bar, ..Self::default() }
+    }
+
+    /// The same with a minimum and a mean for each segment.
+    pub(crate) fn with_measures(self, mu_min: Vec<f64>, mu_mean: Vec<f64>) -> Self {
+        Self { mu_min, mu_mean, ..self }
+    }
+
+    /// The same with another bound for each segment.
+    pub(crate) fn with_bounds(self, mu_bar: Vec<f64>) -> Self {
+        Self { mu_bar, ..self }
+    }
+
+    /// The ends of the segments, increasing; the last is the length.
     #[must_use]
     pub fn ends(&self) -> &[f64] {
         &self.ends
@@ -104,7 +116,7 @@ impl Majorants {
 }
 
 /// Start and end of each segment, from the ends.
-fn spans(ends: &[f64]) -> impl Iterator<Item = (f64, f64)> {
+pub(crate) fn spans(ends: &[f64]) -> impl Iterator<Item = (f64, f64)> {
     let starts = std::iter::once(0.0).chain(ends.iter().copied());
     starts.zip(ends.iter().copied())
 }

@@ -3,8 +3,8 @@
 use crate::capability::Capability;
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
-use crate::free_path::path::FreePath;
 use crate::parameter::ParameterError;
+use crate::path::FreePath;
 use crate::woodcock::one_by_one;
 use freepath_draws::{Draws, Streams};
 

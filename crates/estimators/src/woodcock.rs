@@ -5,9 +5,48 @@
 //! tentative collision means is a [`CollisionRule`]: delta tracking stops there with probability mu / rate, ratio
 //! tracking multiplies a weight, and so on. Every walk that is started is finished: nothing ever stops at a count of
 //! steps, which would favour short walks.
+//!
+//! A rule of one's own has both drivers at once:
+//!
+//! ```
+//! use freepath_draws::{Draws, Key, Row, Streams, column};
+//! use freepath_estimators::medium::Linear;
+//! use freepath_estimators::woodcock::{Collision, CollisionRule, Form, Rates, walks};
+//! use freepath_estimators::{Extinction, Medium};
+//!
+//! /// Ratio tracking.
+//! struct Ratio;
+//!
+//! impl CollisionRule for Ratio {
+//!     type State = f64;
+//!     const DRAWS: bool = false;
+//!     #[inline(always)]
+//!     fn start(&self) -> f64 {
+//!         1.0
+//!     }
+//!     #[inline(always)]
+//!     fn collide(&self, weight: f64, at: Collision) -> (f64, bool) {
+//!         (weight * (1.0 - at.mu * at.mfp), false)
+//!     }
+//!     #[inline(always)]
+//!     fn weight(&self, weight: f64, _escaped: bool) -> f64 {
+//!         weight
+//!     }
+//! }
+//!
+//! let medium = Linear::new(0.5, 2.0, 1.5)?;
+//! let mut draws = Draws::new(&Row::new().with_f64(column::WEIGHT), 16_384);
+//! let streams = Streams::new(Key { seed: 1, subject: 2, block: 3 });
+//! walks(&Ratio, &Rates::of(medium.majorants()), Form::Carry, &medium, &streams, &mut draws);
+//!
+//! let mean = draws.f64(column::WEIGHT)?.iter().sum::<f64>() / 16_384.0;
+//! let transmittance = (-medium.tau(medium.length())).exp();
+//! assert!((mean / transmittance - 1.0).abs() < 0.05);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::extinction::Extinction;
-use crate::free_path::path::FreePath;
+use crate::path::FreePath;
 use freepath_draws::random::{exponential, uniform};
 use freepath_draws::{Draws, PathColumns, Streams};
 

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 mod any_named;
+mod case_folder;
 mod check;
 mod command;
 mod error;
@@ -27,7 +28,6 @@ mod prepare;
 mod registry;
 mod samples;
 mod schema;
-mod surroundings;
 
 pub use crate::kind::SubjectSpec;
 pub(crate) use any_named::AnyNamed;
@@ -35,6 +35,7 @@ pub use command::{Command, Commands};
 pub use error::CaseError;
 pub use external::External;
 pub use faults::Faults;
+pub use freepath_estimators::medium::Ray;
 pub use named::Named;
 pub(crate) use named::definition;
 pub use origin::Origin;
@@ -96,16 +97,6 @@ pub struct Case {
     pub agree: Vec<Agreement>,
 }
 
-/// A ray through a voxel grid.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ray {
-    /// Where it starts, in world coordinates.
-    pub origin: [f64; 3],
-    /// Where it goes; of any length.
-    pub direction: [f64; 3],
-}
-
 impl Case {
     /// The name of its scene.
     #[must_use]
@@ -149,7 +140,7 @@ impl CaseFile {
     /// # Errors
     /// If the file cannot be read or does not say a case.
     pub fn load(path: &Path) -> Result<Self, CaseError> {
-        let text = surroundings::read_text(path, MAX_BYTES as u64)?;
+        let text = case_folder::read_text(path, MAX_BYTES as u64)?;
         Self::parse(path, text)
     }
 

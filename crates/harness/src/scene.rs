@@ -104,6 +104,6 @@ pub struct ChannelScene(pub ChromaticMedium);
 impl Scene for ChannelScene {
     fn views(&self) -> Vec<View<'_>> {
         let media = self.0.media().iter().enumerate();
-        media.map(|(i, (channel, _))| View { label: format!("channel {i}: "), medium: channel }).collect()
+        media.map(|(i, channel)| View { label: format!("channel {i}: "), medium: &channel.extinction }).collect()
     }
 }

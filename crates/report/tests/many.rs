@@ -2,7 +2,7 @@
 
 mod support;
 
-use freepath_report::{SideFiles, Options, html};
+use freepath_report::{Options, SideFiles, html};
 use freepath_results::{Reason, Results, SubjectResult, Verdict};
 
 /// As many subjects as asked for, in one medium, all of which pass but the chosen ones.

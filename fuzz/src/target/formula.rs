@@ -3,7 +3,7 @@
 use super::{PLAIN, Target};
 use crate::judge::{Bounds, SMALL};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Resolver, Volume, VolumeRequest};
 use std::sync::Arc;
 
 /// Extinction as an expression in t.
@@ -50,7 +50,7 @@ const SEEDS: [&str; 6] = [
 /// No files and no rays.
 struct Nowhere;
 
-impl Surroundings for Nowhere {
+impl Resolver for Nowhere {
     fn volume(&self, _: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         Err(ParameterError::unusable("file", "there are no files"))
     }

@@ -1,7 +1,8 @@
 use crate::capability::{Capability, DELTA_TRACKING};
 use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
-use crate::free_path::{FreePath, FreePathSampler};
+use crate::free_path::FreePathSampler;
+use crate::path::FreePath;
 use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
 use freepath_draws::quadrature::integrate;
 use freepath_draws::{Draws, Streams};

@@ -1,8 +1,9 @@
 use crate::capability::Capability;
 use crate::claims::FreePathClaims;
 use crate::extinction::{Cells, Extinction, Medium};
-use crate::free_path::{FreePath, FreePathSampler};
+use crate::free_path::FreePathSampler;
 use crate::parameter::{self, ParameterError};
+use crate::path::FreePath;
 use freepath_draws::random::exponential;
 use polynomial::{degree_points, invert};
 

@@ -109,8 +109,6 @@ impl Medium for BoxSpike {
     }
 }
 
-crate::medium::describes_itself!(BoxSpike);
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,10 +1,6 @@
-use super::{Built, Constant, Describe, Surroundings};
-use crate::claims::Channel;
-use crate::extinction::Extinction;
+use super::chromatic_medium::{ChromaticMedium, Coefficients};
+use super::describe::{Built, Describe, Resolver};
 use crate::parameter::{self, ParameterError};
-
-/// The most channels that a medium may have.
-const MOST_CHANNELS: usize = 64;
 
 /// A homogeneous medium of several channels.
 ///
@@ -64,7 +60,8 @@ impl TryFrom<Parameters> for Chromatic {
             let allowed = parameter::not_negative("sigma_s", scattering)? <= mu;
             let must_be = format!("at most the sigma_t of its channel, {mu}");
             parameter::require(allowed, "sigma_s", scattering, &must_be)?;
-            channels.push((mu, if mu > 0.0 { scattering / mu } else { 0.0 }));
+            let albedo = if mu > 0.0 { scattering / mu } else { 0.0 };
+            channels.push(Coefficients { mu, albedo });
         }
         let medium = ChromaticMedium::new(&channels, *length)?;
         Ok(Self { parameters, medium })
@@ -78,62 +75,8 @@ impl From<Chromatic> for Parameters {
 }
 
 impl Describe for Chromatic {
-    fn build(&self, _surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, _resolver: &dyn Resolver) -> Result<Built, ParameterError> {
         Ok(Built::Chromatic(self.medium.clone()))
-    }
-}
-
-/// Homogeneous channels over one length, at least one of which absorbs or scatters.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChromaticMedium {
-    channels: Vec<(Constant, f64)>,
-    length: f64,
-}
-
-impl ChromaticMedium {
-    /// From (extinction, albedo) of each channel.
-    fn new(channels: &[(f64, f64)], length: f64) -> Result<Self, ParameterError> {
-        let count = channels.len();
-        let must_be = format!("from 1 to {MOST_CHANNELS} channels");
-        let allowed = count >= 1 && count <= MOST_CHANNELS;
-        parameter::require(allowed, "sigma_t", format!("{count} of them"), &must_be)?;
-        let filled = channels.iter().any(|&(mu, _)| mu > 0.0);
-        parameter::require(filled, "sigma_t", "0", "positive in at least one channel")?;
-        let channel = |&(mu, albedo)| Ok((Constant::new(mu, length)?, albedo));
-        let channels = channels.iter().map(channel).collect::<Result<_, _>>()?;
-        Ok(Self { channels, length })
-    }
-
-    /// The length of the ray.
-    #[must_use]
-    pub fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// Extinction and albedo of each channel.
-    #[must_use]
-    pub fn media(&self) -> &[(Constant, f64)] {
-        &self.channels
-    }
-
-    /// The channels as a sampler sees them.
-    #[must_use]
-    pub fn channels(&self) -> Vec<Channel<'_>> {
-        let mut channels = vec![];
-        for (extinction, albedo) in &self.channels {
-            channels.push(Channel { extinction, albedo: *albedo });
-        }
-        channels
-    }
-
-    /// The same albedos with extinction `by` times as great, over `length`.
-    ///
-    /// # Errors
-    /// If extinction would not be finite, or the length is not positive.
-    pub fn with(&self, by: f64, length: f64) -> Result<Self, ParameterError> {
-        let scaled = |(medium, albedo): &(Constant, f64)| (by * medium.mu(0.0), *albedo);
-        let channels: Vec<(f64, f64)> = self.channels.iter().map(scaled).collect();
-        Self::new(&channels, length)
     }
 }
 

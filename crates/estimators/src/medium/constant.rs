@@ -82,5 +82,3 @@ impl Medium for Constant {
         (self.parameters.mu, self.parameters.mu)
     }
 }
-
-crate::medium::describes_itself!(Constant);

@@ -96,8 +96,6 @@ impl Medium for Exponential {
     }
 }
 
-crate::medium::describes_itself!(Exponential);
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ mod step;
 mod syntax;
 
 use super::numeric::Numeric;
-use crate::medium::{Built, Describe, Surroundings};
+use crate::medium::{Built, Describe, Resolver};
 use crate::parameter::{self, ParameterError};
 pub(crate) use expression::Expression;
 use std::sync::Arc;
@@ -70,7 +70,7 @@ impl Formula {
 }
 
 impl Describe for Formula {
-    fn build(&self, _: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, _: &dyn Resolver) -> Result<Built, ParameterError> {
         Ok(Built::Grey(Arc::new(self.medium()?)))
     }
 }

@@ -93,5 +93,3 @@ impl Medium for Gaussian {
         (low, if inside { self.parameters.base + self.parameters.peak } else { high })
     }
 }
-
-crate::medium::describes_itself!(Gaussian);

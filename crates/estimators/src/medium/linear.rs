@@ -89,8 +89,6 @@ impl Medium for Linear {
     }
 }
 
-crate::medium::describes_itself!(Linear);
-
 #[cfg(test)]
 mod tests {
     use super::*;

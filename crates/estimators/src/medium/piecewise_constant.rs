@@ -106,8 +106,6 @@ impl Medium for PiecewiseConstant {
     }
 }
 
-crate::medium::describes_itself!(PiecewiseConstant);
-
 #[cfg(test)]
 mod tests {
     use super::*;

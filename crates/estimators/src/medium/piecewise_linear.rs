@@ -116,8 +116,6 @@ impl Medium for PiecewiseLinear {
     }
 }
 
-crate::medium::describes_itself!(PiecewiseLinear);
-
 #[cfg(test)]
 mod tests {
     use super::*;

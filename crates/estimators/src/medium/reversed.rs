@@ -1,4 +1,4 @@
-use super::{AnyMedium, Built, Describe, Surroundings, view};
+use super::{AnyMedium, Built, Describe, Resolver, view};
 use crate::extinction::{self, Cells, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::ParameterError;
@@ -27,8 +27,8 @@ impl Reversed {
 }
 
 impl Describe for Reversed {
-    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
-        Ok(match self.medium.build(surroundings)? {
+    fn build(&self, resolver: &dyn Resolver) -> Result<Built, ParameterError> {
+        Ok(match self.medium.build(resolver)? {
             Built::Grey(inner) => Built::Grey(Arc::new(View::new(inner)?)),
             Built::Chromatic(inner) => Built::Chromatic(inner),
         })

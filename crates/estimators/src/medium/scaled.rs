@@ -1,4 +1,4 @@
-use super::{AnyMedium, Built, Describe, Surroundings};
+use super::{AnyMedium, Built, Describe, Resolver};
 use crate::extinction::{self, Cells, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
@@ -52,9 +52,9 @@ impl From<Scaled> for Parameters {
 }
 
 impl Describe for Scaled {
-    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, resolver: &dyn Resolver) -> Result<Built, ParameterError> {
         let Parameters { by, medium } = &self.parameters;
-        Ok(match medium.build(surroundings)? {
+        Ok(match medium.build(resolver)? {
             Built::Grey(inner) => Built::Grey(Arc::new(View::new(*by, inner)?)),
             Built::Chromatic(inner) => Built::Chromatic(inner.with(*by, inner.length())?),
         })

@@ -1,4 +1,4 @@
-use super::{AnyMedium, Built, Describe, Surroundings, view};
+use super::{AnyMedium, Built, Describe, Resolver, view};
 use crate::extinction::{self, Cells, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
@@ -56,13 +56,13 @@ impl From<Segment> for Parameters {
 }
 
 impl Describe for Segment {
-    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, resolver: &dyn Resolver) -> Result<Built, ParameterError> {
         let Parameters { from, to, medium } = &self.parameters;
         let check = |length: f64| {
             let must_be = format!("at most the medium's length, {length}");
             parameter::require(*to <= length, "to", *to, &must_be)
         };
-        match medium.build(surroundings)? {
+        match medium.build(resolver)? {
             Built::Grey(inner) => {
                 check(inner.length())?;
                 Ok(Built::Grey(Arc::new(View::new(*from, *to, inner)?)))

@@ -135,8 +135,6 @@ impl Medium for Sinusoid {
     }
 }
 
-crate::medium::describes_itself!(Sinusoid);
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,4 +1,4 @@
-use super::{Built, Describe, Nodes, NodesRequest, PiecewiseConstant, PiecewiseLinear, Surroundings};
+use super::{Built, Describe, Nodes, NodesRequest, PiecewiseConstant, PiecewiseLinear, Resolver};
 use crate::extinction::Medium;
 use crate::parameter::{self, ParameterError};
 use std::sync::Arc;
@@ -66,11 +66,11 @@ impl From<Table> for Parameters {
 }
 
 impl Describe for Table {
-    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, resolver: &dyn Resolver) -> Result<Built, ParameterError> {
         let Parameters { file, interpolation, t, mu, length } = &self.parameters;
         let jumps = *interpolation == Interpolation::Linear;
         let wanted = NodesRequest { file, t: t.as_deref(), mu: mu.as_deref(), jumps };
-        let nodes = extended(surroundings.nodes(&wanted)?, file, *length)?;
+        let nodes = extended(resolver.nodes(&wanted)?, file, *length)?;
         let medium = match interpolation {
             Interpolation::Constant => constant(nodes),
             Interpolation::Linear => linear(nodes),

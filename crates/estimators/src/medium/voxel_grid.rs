@@ -15,7 +15,7 @@ pub use filter::Filter;
 pub use grid::{Grid, Rescale};
 pub use ray::GridRay;
 
-use crate::medium::{Built, Describe, Raw, Surroundings, Volume, VolumeRequest};
+use crate::medium::{Built, Describe, Raw, Ray, Resolver, Volume, VolumeRequest};
 use crate::parameter::{self, ParameterError};
 use std::sync::Arc;
 
@@ -130,13 +130,13 @@ impl From<VoxelGrid> for Parameters {
 }
 
 impl Describe for VoxelGrid {
-    fn build(&self, surroundings: &dyn Surroundings) -> Result<Built, ParameterError> {
+    fn build(&self, resolver: &dyn Resolver) -> Result<Built, ParameterError> {
         let Parameters { scale, offset, filter, .. } = self.parameters;
-        let volume = surroundings.volume(&self.parameters.request())?;
+        let volume = resolver.volume(&self.parameters.request())?;
         let bounds = self.parameters.bounds(&volume)?;
         let grid = Grid::new(volume, filter, bounds, Rescale { scale, offset })?;
-        let own = (self.parameters.origin, self.parameters.direction);
-        let (origin, direction) = surroundings.ray().unwrap_or(own);
+        let own = Ray { origin: self.parameters.origin, direction: self.parameters.direction };
+        let Ray { origin, direction } = resolver.ray().unwrap_or(own);
         Ok(Built::Grey(Arc::new(grid.ray(origin, direction)?)))
     }
 }

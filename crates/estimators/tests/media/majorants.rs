@@ -29,7 +29,7 @@ fn each_choice_of_majorants_holds() {
         assert!(of(MajorantChoice::Factor(1.5)).mu_bar() == [1.5 * greatest], "{name}");
         assert!(of(MajorantChoice::Constant(7.5)).mu_bar() == [7.5], "{name}");
         let short = of(MajorantChoice::Factor(0.99)).shortfall(&medium);
-        assert_eq!(short.map(|(k, _, _)| k), Some(0), "{name}");
+        assert_eq!(short.map(|found| found.segment), Some(0), "{name}");
         let seven = of(MajorantChoice::Segments(7));
         assert_eq!((seven.ends().len(), seven.shortfall(&medium)), (7, None), "{name}");
         assert!(seven.depth(medium.length()) <= tight.depth(medium.length()) * (1.0 + 1e-14), "{name}");

@@ -1,7 +1,7 @@
 //! The media that the tests visit: every name of the list, every wrapper, wrappers of wrappers, and two functions.
 
 use freepath_estimators::medium::{
-    AnyMedium, Built, ChromaticMedium, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest, numeric,
+    AnyMedium, Built, ChromaticMedium, Nodes, NodesRequest, Ray, Resolver, Volume, VolumeRequest, numeric,
 };
 use freepath_estimators::{Extinction, Medium, ParameterError};
 use std::sync::Arc;
@@ -91,7 +91,7 @@ pub(crate) const BAD: &[(&str, &str)] = &[
 
 struct Nothing;
 
-impl Surroundings for Nothing {
+impl Resolver for Nothing {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         Err(ParameterError::new("file", wanted.file, "absent"))
     }
@@ -100,7 +100,7 @@ impl Surroundings for Nothing {
         let t = if wanted.jumps { vec![0.0, 0.6, 1.4, 1.4, 2.3] } else { vec![0.0, 0.6, 1.4, 1.9, 2.3] };
         Ok(Nodes { t, mu: vec![0.9, 2.2, 0.0, 3.1, 0.7] })
     }
-    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+    fn ray(&self) -> Option<Ray> {
         None
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::rays::{at, close, grid, rough};
 use freepath_estimators::medium::voxel_grid::Filter;
-use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Ray, Resolver, Volume, VolumeRequest};
 use freepath_estimators::{Extinction, Medium, ParameterError};
 use std::sync::Arc;
 
-struct Folder(Option<([f64; 3], [f64; 3])>);
+struct Folder(Option<Ray>);
 
-impl Surroundings for Folder {
+impl Resolver for Folder {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         assert_eq!(*wanted, VolumeRequest::of("rough.npy"));
         Ok(rough())
@@ -16,7 +16,7 @@ impl Surroundings for Folder {
     fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
         panic!("a volume has no nodes")
     }
-    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+    fn ray(&self) -> Option<Ray> {
         self.0
     }
 }
@@ -40,8 +40,8 @@ fn a_case_describes_it() {
     let ray = built(&described, &Folder(None));
     let half = grid(rough(), Filter::Trilinear).ray([0.1, 0.2, 1.3], [0.0, 1.0, 1.5]).unwrap();
     close(ray.tau(ray.length()), 2.0 * half.tau(half.length()), 1e-12, "scale");
-    let other = built(&described, &Folder(Some((at([0.5; 3]), [0.0, 0.0, -3.0]))));
-    close(other.length(), 1.25, 1e-15, "the ray of the surroundings, from the middle");
+    let other = built(&described, &Folder(Some(Ray { origin: at([0.5; 3]), direction: [0.0, 0.0, -3.0] })));
+    close(other.length(), 1.25, 1e-15, "the ray of the resolver, from the middle");
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn a_wrong_case_is_refused() {
 /// A folder with one `.vdb` file, which may know its bounds.
 struct Sparse(Option<[[f64; 3]; 2]>);
 
-impl Surroundings for Sparse {
+impl Resolver for Sparse {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         assert_eq!((wanted.grid, wanted.voxels), (Some("density"), Some(&[[-1, 0, 2], [3, 4, 5]])));
         Ok(Arc::new(Volume { bounds: self.0, ..(*rough()).clone() }))
@@ -71,7 +71,7 @@ impl Surroundings for Sparse {
     fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
         panic!("a volume has no nodes")
     }
-    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+    fn ray(&self) -> Option<Ray> {
         None
     }
 }

@@ -1,9 +1,9 @@
 //! A subject of a case, whichever its kind, made ready to run.
 
+use super::case_folder::CaseFolder;
 use super::command::Command;
 use super::listed::listed;
 use super::named::Named;
-use super::surroundings::Place;
 use super::{CaseError, CaseFile, Origin, SubjectSpec};
 use crate::agree::{Agreement, Variant};
 use crate::experiment::{Experiment, Owned, Placed, PlacedSource};
@@ -46,7 +46,7 @@ pub(crate) struct Preparing<'a> {
     pub(super) at: String,
     pub(super) spec: &'a SubjectSpec,
     pub(super) scene: &'a dyn Scene,
-    pub(super) place: &'a Place<'a>,
+    pub(super) place: &'a CaseFolder<'a>,
 }
 
 /// A subject in its scene, and in the other settings in which it must agree with itself.

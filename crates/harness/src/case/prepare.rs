@@ -1,7 +1,7 @@
 //! From a case to subjects ready to run: media are built, majorants checked, parameters refused at their place.
 
 use super::any_named::{Preparing, Ready};
-use super::surroundings::{Place, Volumes};
+use super::case_folder::{CaseFolder, Volumes};
 use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, SubjectSpec};
 use crate::agree::Variant;
 use crate::experiment::Experiment;
@@ -109,7 +109,7 @@ impl CaseFile {
         let case = Arc::new(self.case.clone());
         let one = |(number, ray): (Option<usize>, _)| {
             let folder = self.path.parent().unwrap_or(Path::new("."));
-            let place = Place {
+            let place = CaseFolder {
                 folder,
                 ray,
                 asked: Cell::default(),
@@ -129,7 +129,7 @@ impl CaseFile {
     }
 
     /// The scene along one ray: exactly one of a medium and any other.
-    fn scene(&self, place: &Place, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
+    fn scene(&self, place: &CaseFolder, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
         match (&self.case.medium, &self.case.scene) {
             (Some(medium), None) => self.medium(medium, place, at),
             (None, Some(scene)) => self.other(scene),
@@ -140,7 +140,7 @@ impl CaseFile {
         }
     }
 
-    fn medium(&self, medium: &AnyMedium, place: &Place, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
+    fn medium(&self, medium: &AnyMedium, place: &CaseFolder, at: &str) -> Result<Arc<dyn Scene>, CaseError> {
         let name = medium.name();
         let inside = |why: ParameterError| {
             let path = if at == "medium" { format!("medium.{name}.{}", why.name()) } else { at.to_string() };
@@ -183,7 +183,7 @@ impl CaseFile {
         &self,
         i: usize,
         ray: Option<usize>,
-        (scene, place): (&dyn Scene, &Place),
+        (scene, place): (&dyn Scene, &CaseFolder),
         limits: &Limits,
     ) -> Result<PreparedSubject, CaseError> {
         let (spec, at) = (&self.case.subjects[i], format!("subjects[{i}]"));

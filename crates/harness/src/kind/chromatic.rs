@@ -125,7 +125,7 @@ impl Kind for Chromatic {
         depth: f64,
         run: &mut dyn FnMut(&dyn Experiment),
     ) {
-        let rates = medium.media().iter().map(|(channel, _)| channel.tau(medium.length()));
+        let rates = medium.media().iter().map(|channel| channel.extinction.tau(medium.length()));
         let thinnest = rates.fold(f64::INFINITY, |least, tau| if tau < least { tau } else { least });
         let by = depth / thinnest;
         let claimed = sampler.claims(&medium.channels()).mixture.is_some();

@@ -9,7 +9,7 @@ use crate::identities;
 use crate::scene::{MediumScene, Scene};
 use crate::subject::Route;
 use freepath_draws::{Draws, PathColumns, Streams};
-use freepath_estimators::{Extinction, FreePath, MajorantChoice, Medium, Under};
+use freepath_estimators::{Extinction, FreePath, MajorantChoice, Medium, Shortfall, Under};
 use freepath_statistics::Fact;
 use rand::Rng;
 use std::sync::Arc;
@@ -80,7 +80,7 @@ impl PlacedRay {
     pub(super) fn behind(self, faults: &[Fault], must_bound: bool) -> Result<Self, String> {
         let truth = self.truth;
         let short = truth.majorants().shortfall(&*truth).filter(|_| must_bound);
-        if let Some((segment, bound, greatest)) = short {
+        if let Some(Shortfall { segment, bound, greatest }) = short {
             return Err(format!(
                 "the majorant {bound} of segment {segment} does not bound mu, which reaches {greatest} (state one that does, \
                  plant the fault `short_majorant`, or withdraw the claim `bounded`)"

@@ -2,7 +2,7 @@
 
 use super::nodes::NodeTable;
 use crate::samples::{RowFormat, Wanted};
-use freepath_estimators::medium::ChromaticMedium;
+use freepath_estimators::medium::{ChannelMedium, ChromaticMedium};
 use freepath_estimators::{Extinction, Medium};
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
@@ -44,10 +44,10 @@ impl Setting<'_> {
             state("table_error", json!(table.error));
         }
         if let Some(channels) = self.channels {
-            let of = channels.media().iter().map(|(extinction, albedo)| (extinction.mu(0.0), albedo));
-            let (sigma_t, sigma_s): (Vec<f64>, Vec<f64>) = of.map(|(mu, albedo)| (mu, albedo * mu)).unzip();
-            state("sigma_t", json!(sigma_t));
-            state("sigma_s", json!(sigma_s));
+            let sigma_t = |channel: &ChannelMedium| channel.extinction.mu(0.0);
+            let sigma_s = |channel: &ChannelMedium| channel.albedo * sigma_t(channel);
+            state("sigma_t", channels.media().iter().map(sigma_t).collect());
+            state("sigma_s", channels.media().iter().map(sigma_s).collect());
         }
         request
     }

@@ -1,6 +1,6 @@
 use super::{CaseError, Commands, Ray};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{Nodes, NodesRequest, Raw, Surroundings, Volume, VolumeRequest};
+use freepath_estimators::medium::{Nodes, NodesRequest, Raw, Resolver, Volume, VolumeRequest};
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
@@ -26,7 +26,7 @@ type Key = (PathBuf, usize, Option<Raw>, Option<String>, Option<[[i32; 3]; 2]>);
 pub(super) type Volumes = Mutex<HashMap<Key, Arc<Volume>>>;
 
 /// The folder of a case file, and one of its rays.
-pub(super) struct Place<'a> {
+pub(super) struct CaseFolder<'a> {
     pub(super) folder: &'a Path,
     pub(super) ray: Option<Ray>,
     /// The medium has asked for the ray.
@@ -36,7 +36,7 @@ pub(super) struct Place<'a> {
     pub(super) volumes: &'a Volumes,
 }
 
-impl Place<'_> {
+impl CaseFolder<'_> {
     /// The folder, which may be that where the program runs.
     pub(super) fn here(&self) -> &Path {
         if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder }
@@ -59,7 +59,7 @@ impl Place<'_> {
     }
 }
 
-impl Surroundings for Place<'_> {
+impl Resolver for CaseFolder<'_> {
     fn volume(&self, wanted: &VolumeRequest) -> Result<Arc<Volume>, ParameterError> {
         let path = self.resolve(wanted.file)?;
         let grid = wanted.grid.map(str::to_string);
@@ -80,8 +80,8 @@ impl Surroundings for Place<'_> {
         crate::source::read_nodes(&path, wanted).map_err(|why| ParameterError::unusable("file", why))
     }
 
-    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+    fn ray(&self) -> Option<Ray> {
         self.asked.set(true);
-        self.ray.map(|ray| (ray.origin, ray.direction))
+        self.ray
     }
 }

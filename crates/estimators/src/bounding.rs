@@ -1,8 +1,9 @@
-use super::{Majorants, spans};
+//! Majorants taken from a medium, and held against it.
+
 use crate::extinction::Medium;
+use crate::majorants::{Majorants, spans};
 use crate::parameter::{self, ParameterError};
 
-/// Majorants taken from a medium, and held against it.
 impl Majorants {
     /// The least bounds of `medium` on `segments` segments of equal length.
     #[must_use]
@@ -13,7 +14,7 @@ impl Majorants {
         };
         let ends: Vec<f64> = (0..segments).map(end).collect();
         let mu_bar = spans(&ends).map(|span| greatest(medium, span)).collect();
-        Self { ends, mu_bar, ..Self::default() }.measured(medium)
+        Self::unmeasured(ends, mu_bar).measured(medium)
     }
 
     /// The given bounds on the given segments, with minimum and mean taken from `medium`.
@@ -36,37 +37,51 @@ impl Majorants {
         if let Some(last) = ends.last_mut() {
             *last = medium.length();
         }
-        Ok(Self { ends, mu_bar, ..Self::default() }.measured(medium))
+        Ok(Self::unmeasured(ends, mu_bar).measured(medium))
     }
 
     /// The same bounds, with the exact minimum and mean of `medium` in each segment.
     #[must_use]
     pub fn measured(self, medium: &dyn Medium) -> Self {
         let mean = |(start, end): (f64, f64)| (medium.tau(end) - medium.tau(start)) / (end - start);
-        let mu_min = spans(&self.ends).map(|(start, end)| medium.extrema(start, end).0).collect();
-        let mu_mean = spans(&self.ends).map(mean).collect();
-        Self { mu_min, mu_mean, ..self }
+        let mu_min = self.segments().map(|(start, end)| medium.extrema(start, end).0).collect();
+        let mu_mean = self.segments().map(mean).collect();
+        self.with_measures(mu_min, mu_mean)
     }
 
     /// The same, with each bound raised to the greatest mu of `medium` where that exceeds it.
     #[must_use]
-    pub(crate) fn raised(mut self, medium: &dyn Medium) -> Self {
-        for (k, span) in spans(&self.ends.clone()).enumerate() {
+    pub(crate) fn raised(self, medium: &dyn Medium) -> Self {
+        let raise = |(span, &bound): ((f64, f64), &f64)| {
             let greatest = greatest(medium, span);
-            if greatest > self.mu_bar[k] {
-                self.mu_bar[k] = greatest;
-            }
-        }
-        self
+            if greatest > bound { greatest } else { bound }
+        };
+        let raised = self.segments().zip(self.mu_bar()).map(raise).collect();
+        self.with_bounds(raised)
     }
 
-    /// The first segment in which `medium` exceeds its bound by more than rounding, as (segment, bound, greatest mu).
+    /// The first segment in which `medium` exceeds its bound by more than rounding.
     #[must_use]
-    pub fn shortfall(&self, medium: &dyn Medium) -> Option<(usize, f64, f64)> {
-        let checked = self.segments().zip(&self.mu_bar).enumerate();
-        let mut all = checked.map(|(k, (span, &bound))| (k, bound, greatest(medium, span)));
-        all.find(|&(_, bound, greatest)| !(greatest <= bound * (1.0 + 1e-12)))
+    pub fn shortfall(&self, medium: &dyn Medium) -> Option<Shortfall> {
+        let checked = self.segments().zip(self.mu_bar()).enumerate();
+        let mut all = checked.map(|(segment, (span, &bound))| Shortfall {
+            segment,
+            bound,
+            greatest: greatest(medium, span),
+        });
+        all.find(|found| !(found.greatest <= found.bound * (1.0 + 1e-12)))
     }
+}
+
+/// A segment whose bound does not bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shortfall {
+    /// Its number, from 0.
+    pub segment: usize,
+    /// Its bound.
+    pub bound: f64,
+    /// The greatest mu in it.
+    pub greatest: f64,
 }
 
 /// The greatest mu of a segment, which does not hold its own end: a jump there belongs to the next.

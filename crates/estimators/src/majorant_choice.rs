@@ -1,11 +1,11 @@
-use super::Majorants;
 use crate::extinction::Medium;
+use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
 
 /// The most segments that majorants may have.
 const MOST_SEGMENTS: usize = 100_000_000;
 
-/// How a case chooses the majorants of a medium.
+/// The way in which a case chooses the majorants of a medium.
 #[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum MajorantChoice {

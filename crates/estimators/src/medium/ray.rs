@@ -1,0 +1,9 @@
+/// A ray through a voxel grid.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ray {
+    /// Where it starts, in world coordinates.
+    pub origin: [f64; 3],
+    /// Where it goes; of any length.
+    pub direction: [f64; 3],
+}
