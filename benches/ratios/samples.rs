@@ -65,7 +65,7 @@ impl Kind {
         let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({rows},), }}\n");
         match self {
             Self::Text => writeln!(file, "t")?,
-            _ => {
+            Self::Double | Self::Single => {
                 file.write_all(b"\x93NUMPY\x01\x00")?;
                 file.write_all(&u16::try_from(header.len())?.to_le_bytes())?;
                 file.write_all(header.as_bytes())?;
@@ -108,7 +108,7 @@ impl Kind {
             }
             sum += match self {
                 Self::Single => total(part[..read].as_chunks().0, |x| f64::from(f32::from_le_bytes(x))),
-                _ => total(part[..read].as_chunks().0, f64::from_le_bytes),
+                Self::Double | Self::Text => total(part[..read].as_chunks().0, f64::from_le_bytes),
             };
         }
     }

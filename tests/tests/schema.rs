@@ -31,7 +31,7 @@ fn words(node: &Value, found: &mut Vec<String>) {
         }
         Value::Array(items) => items.iter().for_each(|item| words(item, found)),
         Value::String(text) => found.push(text.clone()),
-        _ => {}
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
     }
 }
 
@@ -83,7 +83,7 @@ fn unknown(schema: &Value, node: &Value, value: &Value) -> Vec<String> {
             })
             .collect(),
         Value::Array(items) => items.iter().flat_map(|item| unknown(schema, &node["items"], item)).collect(),
-        _ => Vec::new(),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => Vec::new(),
     }
 }
 

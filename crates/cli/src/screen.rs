@@ -39,10 +39,10 @@ impl When {
 
 /// `text` in the colour of `verdict`, green if it is `as_expected`.
 pub(crate) fn painted(text: &str, verdict: Verdict, as_expected: bool) -> String {
-    let color = match (as_expected, verdict) {
-        (true, _) => AnsiColor::Green,
-        (false, Verdict::Inconclusive) => AnsiColor::Yellow,
-        (false, _) => AnsiColor::Red,
+    let color = match verdict {
+        Verdict::Pass | Verdict::Inconclusive | Verdict::Fail if as_expected => AnsiColor::Green,
+        Verdict::Inconclusive => AnsiColor::Yellow,
+        Verdict::Pass | Verdict::Fail => AnsiColor::Red,
     };
     let style = Style::new().fg_color(Some(color.into()));
     format!("{style}{text}{style:#}")

@@ -56,12 +56,13 @@ fn figure(of: &SubjectResult) -> String {
     let worst = |a: &&MeanResult, b: &&MeanResult| a.bias.0.abs().total_cmp(&b.bias.0.abs());
     let means = of.mean.iter().chain(of.channels.iter().map(|channel| &channel.mean));
     let bound = |x: Real, seen: Real| format!("bound {:.1e}, detectable {:.1e}", x.0, seen.0);
-    match (&of.law, means.max_by(worst), of.verdict) {
-        (Some(law), _, Verdict::Fail) => format!("gap {:.1e}", law.distance.0),
-        (Some(law), ..) => bound(law.bound, law.detectable),
-        (_, Some(mean), Verdict::Fail) => format!("bias {:+.1e}", mean.bias.0),
-        (_, Some(mean), _) => bound(mean.bound, mean.detectable),
-        _ => String::new(),
+    let fails = of.verdict == Verdict::Fail;
+    match (&of.law, means.max_by(worst)) {
+        (Some(law), _) if fails => format!("gap {:.1e}", law.distance.0),
+        (Some(law), _) => bound(law.bound, law.detectable),
+        (None, Some(mean)) if fails => format!("bias {:+.1e}", mean.bias.0),
+        (None, Some(mean)) => bound(mean.bound, mean.detectable),
+        (None, None) => String::new(),
     }
 }
 

@@ -103,12 +103,10 @@ impl Source {
 
     /// The key of the object at `path`, if it has one key.
     pub(crate) fn only_key(&self, path: &str) -> Option<&str> {
-        match &self.root.find(path).value {
-            Value::Object(members) => match members.as_slice() {
-                [member] => Some(member.key.text()),
-                _ => None,
-            },
-            _ => None,
+        let Value::Object(members) = &self.root.find(path).value else { return None };
+        match members.as_slice() {
+            [member] => Some(member.key.text()),
+            [] | [_, ..] => None,
         }
     }
 

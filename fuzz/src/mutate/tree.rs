@@ -28,7 +28,7 @@ fn count(tree: &Value) -> usize {
     1 + match tree {
         Value::Array(items) => items.iter().map(count).sum(),
         Value::Object(members) => members.values().map(count).sum(),
-        _ => 0,
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => 0,
     }
 }
 
@@ -41,7 +41,7 @@ fn nth<'a>(tree: &'a mut Value, left: &mut usize) -> Option<&'a mut Value> {
     match tree {
         Value::Array(items) => items.iter_mut().find_map(|item| nth(item, left)),
         Value::Object(members) => members.values_mut().find_map(|value| nth(value, left)),
-        _ => None,
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
     }
 }
 
@@ -55,7 +55,7 @@ fn node<'a>(tree: &'a Value, random: &mut Random) -> &'a Value {
         match tree {
             Value::Array(items) => items.iter().find_map(|item| walk(item, left)),
             Value::Object(members) => members.values().find_map(|value| walk(value, left)),
-            _ => None,
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => None,
         }
     }
     walk(tree, &mut random.random_range(0..count(tree))).unwrap_or(tree)

@@ -3,7 +3,7 @@
 use super::{PLAIN, Target};
 use crate::judge::{Bounds, SMALL};
 use freepath_estimators::ParameterError;
-use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Resolver, Volume, VolumeRequest};
+use freepath_estimators::medium::{AnyMedium, Built, Nodes, NodesRequest, Ray, Resolver, Volume, VolumeRequest};
 use std::sync::Arc;
 
 /// Extinction as an expression in t.
@@ -57,7 +57,7 @@ impl Resolver for Nowhere {
     fn nodes(&self, _: &NodesRequest) -> Result<Nodes, ParameterError> {
         Err(ParameterError::unusable("file", "there are no files"))
     }
-    fn ray(&self) -> Option<([f64; 3], [f64; 3])> {
+    fn ray(&self) -> Option<Ray> {
         None
     }
 }

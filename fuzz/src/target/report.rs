@@ -141,6 +141,6 @@ fn shortened(value: &Value) -> Value {
         Value::Object(members) => {
             Value::Object(members.iter().map(|(key, value)| (key.clone(), shortened(value))).collect())
         }
-        other => other.clone(),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value.clone(),
     }
 }

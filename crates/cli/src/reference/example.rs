@@ -6,18 +6,14 @@ use serde_json::{Value, json};
 
 /// A line of a case that uses `name`; empty for a claim, which is withdrawn in a list.
 pub(super) fn of(schema: &Value, kind: &str, name: &str, body: &Value) -> String {
-    let used = match body {
-        Value::Null => json!(name),
-        _ if (kind, name) == ("majorant", "factor") => json!({ name: 1.5 }),
-        _ if (kind, name) == ("medium", "formula") => {
-            json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } })
-        }
-        _ if (kind, name) == ("medium", "table") => {
-            json!({ name: { "file": "mu.csv", "interpolation": "linear" } })
-        }
-        _ if name == "samples" => json!({ name: { "file": "samples.csv" } }),
-        _ if name == "command" => json!({ name: { "argv": ["python3", "mine.py"] } }),
-        body => json!({ name: value(schema, name, body) }),
+    let used = match (kind, name) {
+        _ if body.is_null() => json!(name),
+        ("majorant", "factor") => json!({ name: 1.5 }),
+        ("medium", "formula") => json!({ name: { "mu": "0.5 + t", "length": 2, "majorant": 2.5 } }),
+        ("medium", "table") => json!({ name: { "file": "mu.csv", "interpolation": "linear" } }),
+        (_, "samples") => json!({ name: { "file": "samples.csv" } }),
+        (_, "command") => json!({ name: { "argv": ["python3", "mine.py"] } }),
+        _ => json!({ name: value(schema, name, body) }),
     };
     match kind {
         kind if KINDS.iter().any(|known| known.name == kind) => spaced(&json!({ kind: used })),
@@ -40,6 +36,6 @@ fn spaced(value: &Value) -> String {
             let items: Vec<_> = items.iter().map(spaced).collect();
             format!("[{}]", items.join(", "))
         }
-        other => other.to_string(),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value.to_string(),
     }
 }

@@ -62,7 +62,8 @@ fn takes(schema: &Value, node: &Value) -> String {
     let names = variants(schema, node);
     let kind = match &node["type"] {
         Value::Array(kinds) => kinds.iter().find_map(|kind| kind.as_str().filter(|kind| *kind != "null")),
-        kind => kind.as_str(),
+        Value::String(kind) => Some(kind.as_str()),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::Object(_) => None,
     };
     match kind {
         _ if node["oneOf"].is_array() || node["anyOf"].is_array() || node["enum"].is_array() => {

@@ -43,7 +43,8 @@ pub(crate) fn copied(name: &str) -> PathBuf {
 pub(crate) fn build(folder: &Path, tool: Tool, file: &str, to: &str) {
     let (compiler, standard): (_, &[&str]) = match tool {
         Tool::C => ("cc", &["-std=c99", "-Wpedantic"]),
-        _ => ("c++", &["-std=c++17"]),
+        Tool::Cpp => ("c++", &["-std=c++17"]),
+        Tool::Python => panic!("Python is not compiled"),
     };
     if tool.is_there() {
         let mut command = Command::new(compiler);

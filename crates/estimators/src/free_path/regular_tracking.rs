@@ -102,7 +102,7 @@ impl FreePathSampler for RegularTracking {
         let needed = medium.cells();
         let must_be = match needed {
             Cells::Curved => "replaced by another sampler: the medium promises no polynomial".into(),
-            _ => format!("at least {needed}, as the medium is"),
+            Cells::Constant | Cells::Linear | Cells::Cubic => format!("at least {needed}, as the medium is"),
         };
         parameter::require(needed <= self.cells, "cells", self.cells, &must_be).map(|_| ())
     }

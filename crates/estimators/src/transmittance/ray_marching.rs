@@ -123,19 +123,21 @@ impl TransmittanceEstimator for RayMarching {
 
     fn estimate_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         let out = &mut PathColumns::of(out);
-        match (self.rule, streams.script()) {
-            (MarchingRule::Midpoint, _) => {
+        match self.rule {
+            MarchingRule::Midpoint => {
                 let estimate = self.estimate(medium, &mut streams.rng());
                 (0..out.rows()).for_each(|row| out.put(row, f64::INFINITY, estimate, 0));
             }
-            (_, None) => {
-                let mut lanes = streams.key().lanes();
-                simd::dispatch(
-                    #[inline(always)]
-                    || self.march(medium, &mut lanes, out),
-                );
-            }
-            (_, Some(script)) => self.march(medium, &mut ScriptedLanes::new(streams.key(), script), out),
+            MarchingRule::Comb | MarchingRule::Stratified => match streams.script() {
+                None => {
+                    let mut lanes = streams.key().lanes();
+                    simd::dispatch(
+                        #[inline(always)]
+                        || self.march(medium, &mut lanes, out),
+                    );
+                }
+                Some(script) => self.march(medium, &mut ScriptedLanes::new(streams.key(), script), out),
+            },
         }
     }
 

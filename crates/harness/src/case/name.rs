@@ -53,7 +53,7 @@ fn collect_words(json: &Value, inside: bool, words: &mut Vec<String>) {
         }),
         Value::String(word) if inside && word != "restart" => words.push(word.clone()),
         Value::Number(number) if inside => words.push(number.to_string()),
-        _ => {}
+        Value::String(_) | Value::Number(_) | Value::Bool(_) | Value::Null => {}
     }
 }
 

@@ -29,10 +29,7 @@ impl<'de> Deserializer<'de> for &'de Node {
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Misfit> {
-        match self.value {
-            Value::Null => visitor.visit_none(),
-            _ => visitor.visit_some(self),
-        }
+        if matches!(self.value, Value::Null) { visitor.visit_none() } else { visitor.visit_some(self) }
     }
 
     fn deserialize_newtype_struct<V: Visitor<'de>>(
@@ -50,10 +47,10 @@ impl<'de> Deserializer<'de> for &'de Node {
         _fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Misfit> {
-        match self.value {
-            Value::List(_) => Err(Misfit::invalid_type(Unexpected::Seq, &visitor)),
-            _ => self.deserialize_any(visitor),
+        if matches!(self.value, Value::List(_)) {
+            return Err(Misfit::invalid_type(Unexpected::Seq, &visitor));
         }
+        self.deserialize_any(visitor)
     }
 
     fn deserialize_enum<V: Visitor<'de>>(
@@ -72,7 +69,14 @@ impl<'de> Deserializer<'de> for &'de Node {
                     listed(names)
                 ))),
             },
-            _ => Err(Misfit::invalid_type(self.kind(), &format!("one of {}", listed(names)).as_str())),
+            Value::Null
+            | Value::Bool(_)
+            | Value::Whole(_)
+            | Value::Negative(_)
+            | Value::Real(_)
+            | Value::List(_) => {
+                Err(Misfit::invalid_type(self.kind(), &format!("one of {}", listed(names)).as_str()))
+            }
         }
     }
 

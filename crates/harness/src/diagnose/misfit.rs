@@ -64,13 +64,16 @@ impl Misfit {
     pub(super) fn locate(self, root: &Node) -> Finding {
         let mut path: Vec<Step> = self.inner_first.into_iter().rev().collect();
         let node = root.walk(&path);
-        let span = match (self.spot, &self.cause) {
-            (Spot::Key(key), _) => node.member(&key).map(|member| &member.key.span),
-            (Spot::Named, Cause::Sentence(text)) => node.member(first_name(text)).map(|member| {
-                path.push(Step::Key(member.key.text().to_owned()));
-                &member.value.span
-            }),
-            _ => None,
+        let span = match self.spot {
+            Spot::Value => None,
+            Spot::Key(key) => node.member(&key).map(|member| &member.key.span),
+            Spot::Named => match &self.cause {
+                Cause::Sentence(text) => node.member(first_name(text)).map(|member| {
+                    path.push(Step::Key(member.key.text().to_owned()));
+                    &member.value.span
+                }),
+                Cause::Predicate(_) => None,
+            },
         };
         let span = span.unwrap_or(&node.span).clone();
         let message = match self.cause {

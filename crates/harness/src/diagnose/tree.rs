@@ -33,18 +33,22 @@ pub(super) struct Member {
 impl Node {
     /// The text of a string, and nothing of all else.
     pub(super) fn text(&self) -> &str {
-        match &self.value {
-            Value::Text(text) => text,
-            _ => "",
-        }
+        if let Value::Text(text) = &self.value { text } else { "" }
+    }
+
+    /// The members of an object, and none of all else.
+    fn members(&self) -> &[Member] {
+        if let Value::Object(members) = &self.value { members } else { &[] }
+    }
+
+    /// The items of a list, and none of all else.
+    fn items(&self) -> &[Node] {
+        if let Value::List(items) = &self.value { items } else { &[] }
     }
 
     /// The member `key` of an object.
     pub(super) fn member(&self, key: &str) -> Option<&Member> {
-        match &self.value {
-            Value::Object(members) => members.iter().find(|member| member.key.text() == key),
-            _ => None,
-        }
+        self.members().iter().find(|member| member.key.text() == key)
     }
 
     /// The value at the end of `path`, or the innermost on the way there.
@@ -52,10 +56,9 @@ impl Node {
         let Some((step, rest)) = path.split_first() else {
             return self;
         };
-        let child = match (step, &self.value) {
-            (Step::Key(key), _) => self.member(key).map(|member| &member.value),
-            (Step::Index(index), Value::List(items)) => items.get(*index),
-            _ => None,
+        let child = match step {
+            Step::Key(key) => self.member(key).map(|member| &member.value),
+            Step::Index(index) => self.items().get(*index),
         };
         child.map_or(self, |child| child.walk(rest))
     }
@@ -70,14 +73,10 @@ impl Node {
     /// Steps are compared as they are written, so no path has to be parsed.
     fn descend(&self, path: &str) -> &Node {
         let next = |(step, child)| Some((child, after(path, &step)?));
-        let found: Option<(&Node, &str)> = match &self.value {
-            Value::List(items) => items.iter().enumerate().map(|(i, item)| (Step::Index(i), item)).find_map(next),
-            Value::Object(members) => {
-                let step = |member: &Member| Step::Key(member.key.text().to_owned());
-                members.iter().map(|member| (step(member), &member.value)).find_map(next)
-            }
-            _ => None,
-        };
+        let items = self.items().iter().enumerate().map(|(i, item)| (Step::Index(i), item));
+        let of_key = |member: &Member| Step::Key(member.key.text().to_owned());
+        let members = self.members().iter().map(|member| (of_key(member), &member.value));
+        let found: Option<(&Node, &str)> = items.chain(members).find_map(next);
         found.map_or(self, |(child, rest)| child.descend(rest))
     }
 }

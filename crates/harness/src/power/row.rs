@@ -19,16 +19,22 @@ struct Aim {
 
 impl Aim {
     fn of(prepared: &PreparedSubject, design: Design) -> Self {
-        let (role, reason) = match (prepared.spec.expect, !prepared.faults.is_empty(), design) {
-            _ if prepared.spec.masks_fault => (Role::Hidden, None),
-            (Some(Expectation::Fail(reason)), ..) => (Role::Caught, Some(reason)),
-            (Some(Expectation::Pass), ..) => (Role::Passes, None),
-            (None, true, _) => (Role::Caught, None),
-            (None, false, Design::Seen) => (Role::Caught, Some(Reason::Biased)),
-            (None, false, Design::Unbiased | Design::Hidden) => (Role::Passes, None),
-            (Some(Expectation::Inconclusive(_)), ..) | (None, false, Design::Unsure) => (Role::Open, None),
-        };
-        Self { role, reason }
+        match prepared.spec.expect {
+            _ if prepared.spec.masks_fault => Self::plain(Role::Hidden),
+            Some(Expectation::Fail(reason)) => Self { role: Role::Caught, reason: Some(reason) },
+            Some(Expectation::Pass) => Self::plain(Role::Passes),
+            Some(Expectation::Inconclusive(_)) => Self::plain(Role::Open),
+            None if !prepared.faults.is_empty() => Self::plain(Role::Caught),
+            None => match design {
+                Design::Seen => Self { role: Role::Caught, reason: Some(Reason::Biased) },
+                Design::Unbiased | Design::Hidden => Self::plain(Role::Passes),
+                Design::Unsure => Self::plain(Role::Open),
+            },
+        }
+    }
+
+    fn plain(role: Role) -> Self {
+        Self { role, reason: None }
     }
 
     /// How many p-values the run is taken to hold: many where one must be seen, no others where all must be silent.

@@ -17,7 +17,7 @@ fn text(value: &Value) -> String {
         Value::Array(values) => array(values),
         Value::String(word) => word.clone(),
         Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), short),
-        other => other.to_string(),
+        Value::Null | Value::Bool(_) => value.to_string(),
     }
 }
 
@@ -31,15 +31,15 @@ fn named((name, body): (&String, &Value)) -> String {
     match body {
         Value::Object(fields) if fields.is_empty() => name.clone(),
         Value::Object(fields) => format!("{name} {}", fields.iter().map(field).collect::<Vec<_>>().join(" ")),
-        other => format!("{name} {}", text(other)),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) | Value::Array(_) => {
+            format!("{name} {}", text(body))
+        }
     }
 }
 
 fn field((name, body): (&String, &Value)) -> String {
-    match body {
-        Value::Object(_) => format!("{name}=({})", text(body)),
-        other => format!("{name}={}", text(other)),
-    }
+    let text = text(body);
+    if body.is_object() { format!("{name}=({text})") } else { format!("{name}={text}") }
 }
 
 fn array(values: &[Value]) -> String {

@@ -19,20 +19,26 @@ pub fn expected(
     let passed = decision.verdict == Verdict::Pass;
     let held =
         |verdict: Verdict, reason: Reason| decision.verdict == verdict && decision.reasons.contains(&reason);
-    match (stated, planted, design) {
-        (Some(Expectation::Pass), ..) => ("pass".into(), false, passed),
-        (Some(Expectation::Fail(reason)), ..) => (format!("fail: {reason}"), false, held(Verdict::Fail, reason)),
-        (Some(Expectation::Inconclusive(reason)), ..) => {
-            (format!("inconclusive: {reason}"), false, held(Verdict::Inconclusive, reason))
-        }
-        (None, true, _) => ("fail".into(), true, decision.verdict == Verdict::Fail),
-        (None, false, Design::Seen) => ("fail: biased".into(), true, biased),
-        (None, false, Design::Unsure) => (
+    if let Some(stated) = stated {
+        return match stated {
+            Expectation::Pass => ("pass".into(), false, passed),
+            Expectation::Fail(reason) => (format!("fail: {reason}"), false, held(Verdict::Fail, reason)),
+            Expectation::Inconclusive(reason) => {
+                (format!("inconclusive: {reason}"), false, held(Verdict::Inconclusive, reason))
+            }
+        };
+    }
+    if planted {
+        return ("fail".into(), true, decision.verdict == Verdict::Fail);
+    }
+    match design {
+        Design::Seen => ("fail: biased".into(), true, biased),
+        Design::Unsure => (
             "pass or fail: biased, at the edge of what can be seen".into(),
             true,
             biased || passed || held(Verdict::Inconclusive, Reason::NotEnoughDraws),
         ),
-        (None, false, Design::Unbiased | Design::Hidden) => ("pass".into(), true, passed),
+        Design::Unbiased | Design::Hidden => ("pass".into(), true, passed),
     }
 }
 

@@ -61,7 +61,7 @@ fn element(look: Look, content: &str, dress: Dress) -> String {
     let worn = look.in_dress(dress);
     match look {
         Look::Text { .. } => format!("<g{worn}>{content}</g>"),
-        _ => format!("<path{worn} d=\"{content}\"/>"),
+        Look::Line(_) | Look::Fill { .. } => format!("<path{worn} d=\"{content}\"/>"),
     }
 }
 

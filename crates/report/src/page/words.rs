@@ -30,11 +30,11 @@ pub(crate) fn verdict(result: &SubjectResult) -> String {
         Verdict::Fail => ("Fails", format!("a claim is contradicted in {draws} draws")),
         Verdict::Inconclusive => ("Inconclusive", format!("something could not be judged in {draws} draws")),
     };
-    let fit = match (result.as_expected, result.verdict) {
-        (true, Verdict::Pass) => "",
-        (true, _) if !result.faults.is_empty() => ", as a planted fault must",
-        (true, _) => ", as expected",
-        (false, _) => ", which was not expected",
+    let fit = match result.verdict {
+        Verdict::Pass | Verdict::Inconclusive | Verdict::Fail if !result.as_expected => ", which was not expected",
+        Verdict::Pass => "",
+        Verdict::Inconclusive | Verdict::Fail if !result.faults.is_empty() => ", as a planted fault must",
+        Verdict::Inconclusive | Verdict::Fail => ", as expected",
     };
     format!("{verdict}{fit}: {found}.")
 }

@@ -49,7 +49,7 @@ impl Comparable<'_> {
             (Some(Self::Law(a, reason)), Some(Self::Law(b, _))) if a.cells.len() == b.cells.len() => {
                 hypothesis::agree_law(name, [a, b], slack, reason)
             }
-            (Some(_) | None, Some(_) | None) => {
+            (Some(Self::Mean(..) | Self::Law(..)) | None, _) => {
                 Evidence::withheld(name, f64::NAN, Reason::WrongLaw, "there is nothing to compare")
             }
         }

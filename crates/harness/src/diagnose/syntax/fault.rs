@@ -43,10 +43,11 @@ impl From<Fault> for Finding {
 impl From<ParseError> for Fault {
     fn from(error: ParseError) -> Fault {
         let span = error.range().start..error.range().end;
-        match error.kind() {
-            ParseErrorKind::String(ParseStringErrorKind::UnterminatedStringLiteral) => Fault::no_quote(span),
-            kind => Fault::new(span, lower_case(&kind.to_string())),
+        let kind = error.kind();
+        if let ParseErrorKind::String(ParseStringErrorKind::UnterminatedStringLiteral) = kind {
+            return Fault::no_quote(span);
         }
+        Fault::new(span, lower_case(&kind.to_string()))
     }
 }
 

@@ -53,7 +53,12 @@ impl Sequence for Bias<'_> {
             (_, Some(bernstein), Some(range)) if within(&sums, range) => {
                 self.bounded(bernstein, tallies, &sums, looks, target)
             }
-            (method, ..) => {
+            (
+                method
+                @ (Method::StudentT | Method::SkewnessCorrected | Method::EmpiricalBernstein | Method::None),
+                _,
+                _,
+            ) => {
                 let p = evidence.p.map_or(1.0, |p| looks.note(p / share));
                 let ends: Interval = interval_at(&sums, truth, REPORTING_LEVEL * share);
                 let withheld = evidence.p.is_none().then(|| hypothesis::undecided(&sums, truth));
