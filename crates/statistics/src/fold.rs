@@ -26,7 +26,7 @@ mod weight;
 
 pub use auxiliary::Auxiliary;
 pub use capitals::CapitalSums;
-pub use cells::{Cells, Rank, Values};
+pub use cells::{Cells, Rank, RankOf, Values};
 pub use collisions::{Collisions, Histogram};
 pub use ends::Ends;
 pub use event::{Event, EventSums};

@@ -14,13 +14,16 @@ pub enum Values {
     Rank(Rank),
 }
 
+/// What becomes of the columns of a row.
+pub type RankOf = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
+
 /// A number made of the columns of a row.
 #[derive(Clone)]
 pub struct Rank {
     /// The columns.
     pub columns: &'static [&'static str],
     /// What becomes of them, in their order.
-    pub of: Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>,
+    pub of: RankOf,
 }
 
 /// Counts of numbers in the fine cells of a law; the cell of each row is left for other folds.

@@ -5,7 +5,7 @@ use freepath_statistics::Law;
 use freepath_statistics::claim::{
     AtomsClaim, Claims, Domain, EnoughRows, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
 };
-use freepath_statistics::fold::{Cells, Inside, Lags, Places, Rank, Values};
+use freepath_statistics::fold::{Cells, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
 use std::sync::Arc;
 
@@ -59,7 +59,7 @@ fn ranks(target: &Target, terms: &Terms) -> Law {
 }
 
 /// The share of the continuous part at or below a number; infinity for an atom, -1 for a number without mass.
-fn rank(target: Arc<Target>) -> Arc<dyn Fn(&[f64]) -> f64 + Send + Sync> {
+fn rank(target: Arc<Target>) -> RankOf {
     let share = 1.0 - target.atom_mass();
     Arc::new(move |row| {
         let x = row[0];
