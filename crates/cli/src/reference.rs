@@ -61,6 +61,7 @@ struct InSchema {
 fn in_schema() -> impl Iterator<Item = InSchema> {
     let subjects = KINDS.iter().map(|kind| InSchema { kind: kind.name, definition: kind.definition() });
     let others = [
+        ("scene", "AnyScene"),
         ("medium", "AnyMedium"),
         ("majorant", "MajorantChoice"),
         ("fault", "Fault"),

@@ -71,13 +71,13 @@ fn every_example_can_be_run() {
             continue;
         }
         if (kind, name) == ("chromatic", "samples") {
-            let mut case = case(kind, &example(&folder, kind, name));
+            let mut case = case(kind, name, &example(&folder, kind, name));
             case["subjects"][0]["chromatic"]["samples"]["file"] = json!("table.csv");
             put(&folder, "cases/table.csv", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n");
             put(&folder, &format!("cases/{i}.json"), &case.to_string());
             continue;
         }
-        put(&folder, &format!("cases/{i}.json"), &case(kind, &example(&folder, kind, name)).to_string());
+        put(&folder, &format!("cases/{i}.json"), &case(kind, name, &example(&folder, kind, name)).to_string());
     }
     put(&folder, "cases/mu.csv", "t,mu\n0,1.5\n2,0.5\n");
     put(&folder, "cases/samples.csv", "0.25\n1.5\ninf\n");
@@ -111,24 +111,46 @@ fn every_fault_can_be_planted_as_its_example_says() {
     }
 }
 
-fn case(kind: &str, example: &Value) -> Value {
-    let mut case = json!({
-        "title": "An example", "medium": { "constant": { "mu": 1.5, "length": 2.0 } },
-        "subjects": [{ "free_path": { "exact": {} } }],
-    });
+/// A case for the example: what it names stands in a shipped case's place, or in that of a plain medium.
+fn case(kind: &str, name: &str, example: &Value) -> Value {
+    let mut case = shipped_with_scene(kind, name).unwrap_or_else(|| plain_case(kind, example));
     let into = |target: &mut Value| target.as_object_mut().unwrap().extend(example.as_object().unwrap().clone());
-    match kind {
-        "medium" | "majorant" => into(&mut case),
-        "free_path" | "transmittance" | "chromatic" => case["subjects"] = json!([example]),
-        _ => into(&mut case["subjects"][0]),
-    }
-    if case["medium"].get("chromatic").is_some() {
-        case["subjects"] = json!([{ "chromatic": { "balance": {} } }]);
-    } else if kind == "chromatic" {
-        let sigma = [2.0, 1.0, 0.5];
-        case["medium"] = json!({ "chromatic": { "sigma_t": sigma, "sigma_s": sigma, "length": 2.0 } });
+    if ["medium", "majorant", "scene"].contains(&kind) {
+        into(&mut case);
+    } else if KINDS.iter().any(|known| known.name == kind) {
+        case["subjects"] = json!([example]);
+    } else {
+        into(&mut case["subjects"][0]);
     }
     case
+}
+
+/// A case over a medium that takes the kind.
+fn plain_case(kind: &str, example: &Value) -> Value {
+    let sigma = [2.0, 1.0, 0.5];
+    let channels = json!({ "chromatic": { "sigma_t": sigma, "sigma_s": sigma, "length": 2.0 } });
+    let grey = json!({ "constant": { "mu": 1.5, "length": 2.0 } });
+    if kind == "chromatic" || example["medium"].get("chromatic").is_some() {
+        json!({ "title": "An example", "medium": channels, "subjects": [{ "chromatic": { "balance": {} } }] })
+    } else {
+        json!({ "title": "An example", "medium": grey, "subjects": [{ "free_path": { "exact": {} } }] })
+    }
+}
+
+/// The first shipped case with this scene, or with a scene that has subjects of this kind.
+fn shipped_with_scene(kind: &str, name: &str) -> Option<Value> {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let mut files: Vec<_> = cases.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let files = files.iter().filter(|file| file.extension().is_some_and(|ext| ext == "json"));
+    // Some have comments, which this reader does not know; none of them has a scene.
+    let mut cases = files.filter_map(|file| serde_json::from_slice::<Value>(&std::fs::read(file).unwrap()).ok());
+    let of_kind =
+        |case: &Value| case["subjects"].as_array().unwrap().iter().any(|subject| subject.get(kind).is_some());
+    cases.find(|case| {
+        case.get("scene")
+            .is_some_and(|scene| if kind == "scene" { scene.get(name).is_some() } else { of_kind(case) })
+    })
 }
 
 #[test]

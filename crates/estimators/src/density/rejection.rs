@@ -16,7 +16,7 @@ use freepath_draws::random::uniform;
 #[serde(deny_unknown_fields)]
 pub struct Rejection {
     /// C, times the mass of the density.
-    #[schemars(range(min = 1, max = 1_000_000))]
+    #[schemars(range(min = 1, max = 1_000_000), example = 1.5)]
     pub envelope: f64,
 }
 

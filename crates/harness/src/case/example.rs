@@ -1,4 +1,5 @@
-//! The simplest value of a definition in the schema: required parameters only, and bounds, which few files know.
+//! The simplest value of a definition in the schema: the example that it states, else required parameters only, and bounds, which
+//! few files know.
 
 use super::schema::{resolve, variants};
 use serde_json::{Map, Value, json};
@@ -9,7 +10,11 @@ pub fn value(schema: &Value, name: &str, node: &Value) -> Value {
     if node["$ref"] == "#/$defs/AnyMedium" {
         return json!({ "gaussian": { "peak": 4.0, "center": 0.9, "width": 0.25, "length": 2.0 } });
     }
+    let own = &node["examples"][0];
     let node = resolve(schema, node);
+    if let Some(example) = [own, &node["examples"][0]].into_iter().find(|example| !example.is_null()) {
+        return example.clone();
+    }
     if let Some(properties) = node["properties"].as_object() {
         let required = node["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
         let bounds = properties.contains_key("bounds").then_some("bounds");

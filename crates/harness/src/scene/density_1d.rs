@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 /// integral of a formula enters every claim as slack.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = serde_json::json!({ "pdf": "6*x*(1 - x)", "domain": [0, 1] }))]
 pub struct Density1d {
     /// The density, 1/length: a formula in x, or a table `{"x": [..], "y": [..]}`.
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 /// decide whether one can be made.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = serde_json::json!({ "value": 0.5, "range": [0, 1] }))]
 pub struct Number {
     /// The mean of an estimate.
     pub value: f64,

@@ -14,9 +14,12 @@ impl<F: Read + Seek> Source<F> {
     }
 
     pub(super) fn fill(&mut self, bytes: &mut [u8]) -> Result<(), Refusal> {
-        self.file.read_exact(bytes).map_err(|why| match why.kind() {
-            ErrorKind::UnexpectedEof => Refusal::new("it is cut short", "a whole .vdb file"),
-            _ => why.into(),
+        self.file.read_exact(bytes).map_err(|why| {
+            if why.kind() == ErrorKind::UnexpectedEof {
+                Refusal::new("it is cut short", "a whole .vdb file")
+            } else {
+                why.into()
+            }
         })
     }
 
