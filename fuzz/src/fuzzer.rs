@@ -1,8 +1,8 @@
 //! A target with its inputs, each named by a number.
 
-use crate::judge::{Verdict, judge};
+use crate::judge::{Reader, Verdict, judge};
 use crate::mutate::{Corpus, mutated};
-use crate::target::{Reader, Target};
+use crate::target::Target;
 use rand::SeedableRng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use std::io;

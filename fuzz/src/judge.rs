@@ -2,7 +2,6 @@
 //!
 //! What a process does not survive, a stack that overflows or memory that is refused, is seen by [`supervise`](crate::supervise).
 
-use crate::target::{Answer, Reader};
 use peak_alloc::PeakAlloc;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -13,6 +12,12 @@ use std::time::{Duration, Instant};
 /// Counts what every thread of this process holds.
 #[global_allocator]
 static HEAP: PeakAlloc = PeakAlloc;
+
+/// Nothing, or why an input was refused.
+pub type Answer = Result<(), String>;
+
+/// Reads an input as the program would, and uses what it has read.
+pub type Reader = Box<dyn Fn(&[u8]) -> Answer>;
 
 /// What a reader may take.
 #[derive(Clone, Copy, Debug)]

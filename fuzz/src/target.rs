@@ -1,6 +1,6 @@
 //! What is fuzzed: one reader each.
 
-use crate::judge::{Bounds, SMALL};
+use crate::judge::{Bounds, Reader, SMALL};
 use std::path::Path;
 
 mod case;
@@ -13,12 +13,6 @@ mod report;
 mod run;
 mod samples;
 mod volume;
-
-/// Nothing, or why an input was refused.
-pub type Answer = Result<(), String>;
-
-/// Reads an input as the program would, and uses what it has read.
-pub type Reader = Box<dyn Fn(&[u8]) -> Answer>;
 
 /// A reader of bytes from strangers.
 pub struct Target {

@@ -1,8 +1,8 @@
 //! Tables of t and mu.
 
 use super::volume::header_length;
-use super::{Answer, PLAIN, Reader, Target};
-use crate::judge::{Bounds, SMALL};
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Bounds, Reader, SMALL};
 use freepath_estimators::medium::NodesRequest;
 use freepath_harness::source::read_nodes;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! What a program writes: to standard output, and to standard error.
 
-use super::{Answer, PLAIN, Target};
-use crate::judge::{Bounds, SMALL};
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Bounds, SMALL};
 use freepath_harness::case::{CaseFile, Commands, Limits};
 use freepath_harness::run::{self, Options};
 use serde_json::json;

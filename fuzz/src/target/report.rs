@@ -1,7 +1,7 @@
 //! results.json and what lies beside it, as `freepath report` reads them.
 
-use super::{Answer, PLAIN, Target};
-use crate::judge::Bounds;
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Bounds};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::run::{self, Options};
 use freepath_harness::{power, soak};

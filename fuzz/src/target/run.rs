@@ -1,8 +1,8 @@
 //! Whole cases: read, prepared, one block of draws of a subject judged, and the results of a run.
 
 use super::case::{WORDS, shipped};
-use super::{Answer, PLAIN, Target};
-use crate::judge::Bounds;
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Bounds};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::collect::{Stopped, Watch, observe};
 use freepath_harness::run::{self, Options};

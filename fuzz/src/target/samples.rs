@@ -1,7 +1,8 @@
 //! Files of samples, and streams of them.
 
 use super::volume::header_length;
-use super::{Answer, PLAIN, Reader, Target};
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Bounds, Reader, SMALL};
 use freepath_estimators::Draws;
 use freepath_formats::Format;
 use freepath_harness::samples::{
@@ -11,8 +12,6 @@ use freepath_harness::subject::BLOCK;
 use std::io::Cursor;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
-
-use crate::judge::{Bounds, SMALL};
 
 /// A block of rows is held at a time, of four columns at most.
 const BLOCKS: Bounds = Bounds { bytes: 8 << 20, ..SMALL };

@@ -1,6 +1,7 @@
 //! Files of volumes.
 
-use super::{Answer, PLAIN, Reader, Target};
+use super::{PLAIN, Target};
+use crate::judge::{Answer, Reader};
 use freepath_formats::{NumberType, RawLayout, VolumeRequest, read_volume};
 use std::path::Path;
 
