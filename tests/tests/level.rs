@@ -3,7 +3,7 @@
 use freepath_draws::random::uniform;
 use freepath_estimators::free_path::{AnyFreePath, DeltaTracking};
 use freepath_estimators::medium::Constant;
-use freepath_estimators::{Extinction, FreePath, FreePathSampler};
+use freepath_estimators::{AuxiliaryPath, Extinction, FreePath, FreePathSampler};
 use freepath_harness::case::{Limits, Prepared};
 use freepath_harness::experiment::{Placed, PlacedSource};
 use freepath_harness::kind::{FreePathKind, PlacedRay, Ray};
@@ -78,26 +78,26 @@ fn threads_make_no_difference() {
     assert_eq!(with(1), with(3));
 }
 
-/// A right sampler with a mark, which no case can name.
-struct Marked;
+/// A right sampler with auxiliary numbers, which no case can name.
+struct WithAuxiliary;
 
-impl FreePathSampler for Marked {
+impl FreePathSampler for WithAuxiliary {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath {
         DeltaTracking::default().sample(medium, rng)
     }
-    fn marked(&self) -> bool {
+    fn has_auxiliary(&self) -> bool {
         true
     }
-    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> (FreePath, f64) {
-        (self.sample(medium, rng), uniform(rng))
+    fn sample_with_auxiliary(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> AuxiliaryPath {
+        AuxiliaryPath { path: self.sample(medium, rng), auxiliary: uniform(rng) }
     }
 }
 
 #[test]
-fn marks_keep_their_level() {
+fn auxiliary_numbers_keep_their_level() {
     let medium = Constant::new(1.3, 2.1).expect("a medium");
     let ray = Ray::of(&medium);
-    let experiment = free_path(&Marked, ray);
+    let experiment = free_path(&WithAuxiliary, ray);
     let subject = Subject { draws: 16_384, ..Subject::new(&experiment) };
     let p: Vec<f64> = (0..300).filter_map(|seed| judgement(&subject, 1000 + seed).p("mark")).collect();
     for level in [0.01, 0.05, 0.25, 0.5, 0.75] {

@@ -33,7 +33,7 @@ pub struct Draws {
     columns: Vec<Stored>,
 }
 
-/// Which columns a block has, and how long they are.
+/// The columns of a block, and their length.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shape {
     row: Row,
@@ -54,7 +54,7 @@ impl Draws {
         &self.row
     }
 
-    /// How many draws the block holds.
+    /// The number of draws in the block.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows

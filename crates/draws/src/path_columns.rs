@@ -48,7 +48,7 @@ impl<'a> PathColumns<'a> {
         }
     }
 
-    /// How many rows there are.
+    /// The number of rows.
     #[inline(always)]
     #[must_use]
     pub fn rows(&self) -> usize {

@@ -85,22 +85,33 @@ impl Refine<'_> {
 /// Both rules on one panel.
 fn panel(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> Integral {
     let (mut kronrod, mut difference) = (0.0, 0.0);
-    for (x, by_kronrod, by_gauss) in points(a, b) {
-        let y = f(x);
-        kronrod += by_kronrod * y;
-        difference += (by_kronrod - by_gauss) * y;
+    for point in points(a, b) {
+        let y = f(point.x);
+        kronrod += point.kronrod * y;
+        difference += (point.kronrod - point.gauss) * y;
     }
     Integral { value: kronrod, error: difference.abs() }
 }
 
-/// The 15 points of a panel, each with its weight in the Kronrod and in the Gauss rule.
+/// A point of a panel, with its weight in either rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The point.
+    pub x: f64,
+    /// Its weight in the Kronrod rule.
+    pub kronrod: f64,
+    /// Its weight in the Gauss rule; 0 at every other point.
+    pub gauss: f64,
+}
+
+/// The 15 points of a panel.
 #[inline]
-pub fn points(a: f64, b: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+pub fn points(a: f64, b: f64) -> impl Iterator<Item = Point> {
     let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
     (0..15).map(move |i: usize| {
         let (k, side) = if i < 8 { (i, -h) } else { (14 - i, h) };
         let gauss = if k % 2 == 1 { GAUSS[k / 2] } else { 0.0 };
-        (m + side * NODES[k], h * KRONROD[k], h * gauss)
+        Point { x: m + side * NODES[k], kronrod: h * KRONROD[k], gauss: h * gauss }
     })
 }
 

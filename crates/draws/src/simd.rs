@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Isa {
-    /// What the target guarantees.
+    /// The instructions that the target guarantees.
     Baseline = 1,
     /// AVX2.
     Avx2 = 2,
@@ -45,8 +45,8 @@ pub fn isa() -> Isa {
     }
 }
 
-/// What `FREEPATH_ISA` asks for; everything if it says nothing, and the least if it says something unknown: better slow
-/// than other than was asked. [`check_environment`] tells.
+/// The instruction set that `FREEPATH_ISA` asks for; everything if it says nothing, and the least if it says something
+/// unknown: better slow than other than was asked. [`check_environment`] tells.
 fn requested() -> Isa {
     check_environment().unwrap_or(Isa::Baseline)
 }
@@ -61,7 +61,7 @@ pub fn check_environment() -> Result<Isa, UnknownIsa> {
     named.ok_or(UnknownIsa(name))
 }
 
-/// What `FREEPATH_ISA` says, if it is the name of no instruction set.
+/// The word in `FREEPATH_ISA`, if it is the name of no instruction set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownIsa(String);
 

@@ -1,4 +1,4 @@
-//! What a sampler does inside, as far as a planted fault must lay hold of it.
+//! Capabilities of a sampler, as far as a planted fault must lay hold of it.
 
 use crate::control::Control;
 
@@ -39,7 +39,7 @@ pub enum Capability {
 }
 
 impl Capability {
-    /// What it is to have it: *samplers that* ..
+    /// The words for having it: *samplers that* ..
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl Capability {
     }
 }
 
-/// What delta tracking does, whose uniforms are those of flight and acceptance in turn.
+/// Capabilities of delta tracking, whose uniforms are those of flight and acceptance in turn.
 pub const DELTA_TRACKING: &[Capability] = &[
     Capability::LookUps,
     Capability::Majorants,
@@ -77,7 +77,7 @@ pub const DELTA_TRACKING: &[Capability] = &[
     Capability::Analog,
 ];
 
-/// What ratio tracking does, whose uniforms are those of flights.
+/// Capabilities of ratio tracking, whose uniforms are those of flights.
 pub const RATIO_TRACKING: &[Capability] = &[
     Capability::LookUps,
     Capability::Majorants,

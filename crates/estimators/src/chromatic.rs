@@ -33,12 +33,12 @@ pub trait ChromaticSampler: Send + Sync {
         None
     }
 
-    /// What is known of this sampler on homogeneous channels.
+    /// The claims of this sampler on homogeneous channels.
     fn claims(&self, _channels: &[Channel]) -> ChromaticClaims {
         ChromaticClaims::default()
     }
 
-    /// What it does inside, for planted faults that need it: a fault is refused over a sampler that does not state what the
+    /// Its capabilities, for planted faults that need them: a fault is refused over a sampler that does not state what the
     /// fault lays hold of. Provided: nothing.
     fn capabilities(&self) -> Vec<Capability> {
         Vec::new()

@@ -1,11 +1,11 @@
-//! What an estimator claims of itself, as formulas of the true medium: each line is tested by the harness.
+//! Claims of an estimator of itself, as formulas of the true medium: each line is tested by the harness.
 
 use crate::extinction::Extinction;
 
 /// A survival function P(t > x) on [0, length]: its value at the length is the escape atom.
 pub type Survival<'a> = Box<dyn Fn(f64) -> f64 + Send + Sync + 'a>;
 
-/// What a free-path sampler claims beyond its kind.
+/// Claims of a free-path sampler beyond its kind.
 pub struct FreePathClaims<'a> {
     /// It is wrong under a majorant that does not bound: one look-up above it fails.
     pub bounded: bool,
@@ -38,7 +38,7 @@ impl Default for FreePathClaims<'_> {
     }
 }
 
-/// What a transmittance estimator claims beyond its kind.
+/// Claims of a transmittance estimator beyond its kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransmittanceClaims {
     /// It is wrong under a majorant that does not bound: one look-up above it fails.
@@ -74,7 +74,7 @@ impl Default for TransmittanceClaims {
     }
 }
 
-/// What a chromatic sampler claims beyond its kind.
+/// Claims of a chromatic sampler beyond its kind.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChromaticClaims {
     /// The probability of each channel in the mixture that the unweighted t follows: sum of q_c mu_c exp(-mu_c t).

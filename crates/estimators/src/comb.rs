@@ -26,7 +26,7 @@ impl Steps {
         parameter::require(allowed, "steps", steps, &format!("1 to {MOST_STEPS}")).map(Self)
     }
 
-    /// How many.
+    /// Their number.
     #[inline(always)]
     #[must_use]
     pub fn get(self) -> usize {

@@ -1,9 +1,9 @@
-//! What a subject may see of a medium ([`Extinction`]), and the truth that it may not ([`Medium`]).
+//! Extinction, which a subject may see ([`Extinction`]), and the truth, which it may not ([`Medium`]).
 
 use crate::majorants::Majorants;
 use freepath_draws::{quadrature, simd};
 
-/// How mu behaves between two neighbouring [`Extinction::breaks`].
+/// The course of mu between two neighbouring [`Extinction::breaks`].
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
 )]
@@ -43,12 +43,12 @@ pub trait Extinction {
     /// Upper bounds of mu by segment, as a renderer precomputes them.
     fn majorants(&self) -> &Majorants;
 
-    /// Where mu or its slope jumps: increasing, strictly inside (0, length).
+    /// Places where mu or its slope jumps: increasing, strictly inside (0, length).
     fn breaks(&self) -> &[f64] {
         &[]
     }
 
-    /// What mu is between the breaks.
+    /// The course of mu between the breaks.
     fn cells(&self) -> Cells {
         Cells::Curved
     }
@@ -80,7 +80,7 @@ pub trait Medium: Extinction + Send + Sync {
         0.0
     }
 
-    /// Where `tau` reaches `depth`; infinity if it does not before the end. Provided: bracketed Newton steps.
+    /// The place where `tau` reaches `depth`; infinity if it does not before the end. Provided: bracketed Newton steps.
     fn inverse_tau(&self, depth: f64) -> f64 {
         solve(self, depth)
     }
@@ -89,7 +89,7 @@ pub trait Medium: Extinction + Send + Sync {
     fn extrema(&self, a: f64, b: f64) -> (f64, f64);
 }
 
-/// Where a medium of optical depth `total` reaches `depth`: `inside` says it for 0 < depth < total.
+/// The place where a medium of optical depth `total` reaches `depth`: `inside` says it for 0 < depth < total.
 pub(crate) fn invert(depth: f64, total: f64, inside: impl FnOnce() -> f64) -> f64 {
     if depth >= total {
         f64::INFINITY

@@ -4,7 +4,7 @@ use crate::capability::Capability;
 use crate::claims::FreePathClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
-use crate::path::FreePath;
+use crate::path::{AuxiliaryPath, FreePath};
 use crate::woodcock::one_by_one;
 use freepath_draws::{Draws, PathColumns, Streams, column};
 
@@ -22,36 +22,36 @@ pub trait FreePathSampler: Send + Sync {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> FreePath;
 
     /// One draw for each row of `out`, a function of the streams alone. Provided: a loop over
-    /// [`FreePathSampler::sample`], or [`FreePathSampler::sample_marked`] if `out` wants marks.
+    /// [`FreePathSampler::sample`], or [`FreePathSampler::sample_with_auxiliary`] if `out` wants auxiliary numbers.
     fn sample_block(&self, medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
         if !out.row().has(column::AUXILIARY) {
             return one_by_one(streams, out, |rng| self.sample(medium, rng));
         }
         let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
         for row in 0..columns.rows() {
-            let (path, mark) = self.sample_marked(medium, &mut rng);
+            let AuxiliaryPath { path, auxiliary } = self.sample_with_auxiliary(medium, &mut rng);
             columns.put(row, path.t, path.weight, path.collisions);
-            columns.put_auxiliary(row, mark);
+            columns.put_auxiliary(row, auxiliary);
         }
     }
 
-    /// Whether each draw comes with a mark: a number that is uniform on [0, 1) and independent of the distance, such as
-    /// (1 + cosine) / 2 of the direction in which the path starts. Provided: no.
-    fn marked(&self) -> bool {
+    /// True if each draw comes with an auxiliary number, which is uniform on [0, 1) and independent of the distance, such as
+    /// (1 + cosine) / 2 of the direction in which the path starts. Provided: false.
+    fn has_auxiliary(&self) -> bool {
         false
     }
 
-    /// One draw and its mark, if there are marks. Provided: [`FreePathSampler::sample`], and NaN.
-    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> (FreePath, f64) {
-        (self.sample(medium, rng), f64::NAN)
+    /// One draw and its auxiliary number, if there are any. Provided: [`FreePathSampler::sample`], and NaN.
+    fn sample_with_auxiliary(&self, medium: &dyn Extinction, rng: &mut dyn rand::Rng) -> AuxiliaryPath {
+        AuxiliaryPath { path: self.sample(medium, rng), auxiliary: f64::NAN }
     }
 
-    /// What is known of this sampler in this medium. Provided: that it is exact and needs a bounding majorant.
+    /// The claims of this sampler in this medium. Provided: that it is exact and needs a bounding majorant.
     fn claims<'a>(&'a self, _truth: &'a dyn Medium) -> FreePathClaims<'a> {
         FreePathClaims::default()
     }
 
-    /// What it does inside, for planted faults that need it: a fault is refused over a sampler that does not state what the
+    /// Its capabilities, for planted faults that need them: a fault is refused over a sampler that does not state what the
     /// fault lays hold of. Provided: nothing.
     fn capabilities(&self) -> Vec<Capability> {
         Vec::new()

@@ -52,5 +52,5 @@ pub use list::List;
 pub use majorant_choice::MajorantChoice;
 pub use majorants::Majorants;
 pub use parameter::ParameterError;
-pub use path::FreePath;
+pub use path::{AuxiliaryPath, FreePath};
 pub use transmittance::TransmittanceEstimator;

@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::ops::Deref;
 
-/// What [`list!`](crate::list!) writes: an enum with one variant per name, seen as what it lists.
+/// An enum as [`list!`](crate::list!) writes it: with one variant per name, seen as what it lists.
 pub trait List:
     Clone
     + Debug

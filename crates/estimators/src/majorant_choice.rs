@@ -20,7 +20,7 @@ pub enum MajorantChoice {
     Segments(usize),
     /// Given segments and bounds.
     Explicit {
-        /// Where each segment ends; the last is the length.
+        /// The end of each segment; the last is the length.
         ends: Vec<f64>,
         /// The bound of each segment.
         mu_bar: Vec<f64>,

@@ -15,7 +15,7 @@ impl ParameterError {
         Self { name, why: format!(" must be {must_be}, not {value}") }
     }
 
-    /// What `name` names cannot be used, for a reason that is a sentence of its own.
+    /// The thing that `name` names cannot be used, for a reason that is a sentence of its own.
     pub fn unusable(name: &'static str, why: impl fmt::Display) -> Self {
         Self { name, why: format!(": {why}") }
     }

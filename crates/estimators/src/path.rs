@@ -16,3 +16,12 @@ impl FreePath {
         Self { t, weight: 1.0, collisions: 0 }
     }
 }
+
+/// One draw of a free path, and a number that comes with it and says nothing of its distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AuxiliaryPath {
+    /// The path.
+    pub path: FreePath,
+    /// The number, in [0, 1).
+    pub auxiliary: f64,
+}

@@ -32,18 +32,18 @@ pub trait TransmittanceEstimator: Send + Sync {
         });
     }
 
-    /// What is known of this estimator in this medium. Provided: that its mean is T and it needs a bounding majorant.
+    /// The claims of this estimator in this medium. Provided: that its mean is T and it needs a bounding majorant.
     fn claims(&self, _truth: &dyn Medium) -> TransmittanceClaims {
         TransmittanceClaims::default()
     }
 
-    /// What a Russian roulette of this estimator makes of `weight` when its uniform is `u`: 0 for a death; none if it plays
-    /// no roulette. Its mean over `u` must be `weight`, and is tested.
+    /// The result of a Russian roulette of this estimator for `weight` when its uniform is `u`: 0 for a death; none if it
+    /// plays no roulette. Its mean over `u` must be `weight`, and is tested.
     fn roulette(&self, _weight: f64, _u: f64) -> Option<f64> {
         None
     }
 
-    /// What it does inside, for planted faults that need it: a fault is refused over an estimator that does not state what the
+    /// Its capabilities, for planted faults that need them: a fault is refused over an estimator that does not state what the
     /// fault lays hold of. Provided: nothing.
     fn capabilities(&self) -> Vec<Capability> {
         Vec::new()

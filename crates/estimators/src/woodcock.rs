@@ -53,7 +53,7 @@ use freepath_draws::{Draws, PathColumns, Streams};
 mod rates;
 mod tile;
 
-pub use rates::Rates;
+pub use rates::{RateSegment, Rates};
 pub use tile::walks;
 
 /// A tentative collision: where, with what, and a uniform if the rule asked for one.
@@ -71,11 +71,11 @@ pub struct Collision {
     pub u: f64,
 }
 
-/// What one member of the family does at a tentative collision.
+/// The rule of one member of the family at a tentative collision.
 ///
 /// Every method must be `#[inline(always)]` and should be free of branches: they run once for each lane of a tile.
 pub trait CollisionRule {
-    /// What a walk carries: nothing, a weight, a weight and a sum.
+    /// The state that a walk carries: nothing, a weight, a weight and a sum.
     type State: Copy;
     /// Does `collide` read a uniform?
     const DRAWS: bool;
@@ -87,7 +87,7 @@ pub trait CollisionRule {
     fn weight(&self, state: Self::State, escaped: bool) -> f64;
 }
 
-/// What a walk does with the rest of its optical distance at the end of a segment. Both are exact, since the exponential
+/// The treatment of the rest of a walk's optical distance at the end of a segment. Both are exact, since the exponential
 /// law has no memory.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema,

@@ -1,12 +1,12 @@
 //! Folds over blocks: integers merge in any order, floats in block order.
 
 mod audit;
+mod auxiliary;
 mod batches;
 mod cells;
 mod counts;
 mod extremes;
 mod lag;
-mod marks;
 mod nulls;
 mod smallest;
 mod sums;
@@ -14,13 +14,13 @@ mod tail;
 mod ties;
 
 pub use audit::{Audit, Excess};
+pub use auxiliary::AuxiliaryTally;
 pub use batches::{Batch, Batches};
 pub use cells::CellTally;
 pub use counts::CountTally;
 pub use extremes::{Extremes, KEPT};
 pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores};
-pub use marks::MarkTally;
 pub use nulls::NullTally;
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};

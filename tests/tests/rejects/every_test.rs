@@ -3,7 +3,7 @@
 use crate::by_design::by_design;
 use crate::chromatic::{chromatic, of_weights};
 use crate::estimates::{changed, estimates, of_estimate};
-use crate::joint::{Marked, Resumed, Twice};
+use crate::joint::{Resumed, Twice, WithAuxiliary};
 use crate::laws::laws;
 use crate::path::{Sampler, in_part, of_path};
 use crate::ramp::in_the_ramp;
@@ -48,7 +48,7 @@ fn every_test_rejects_a_mutant() {
 fn joint_laws_see_what_the_law_of_t_hides() {
     let folded = of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000);
     let resumed = of_path(&Resumed::default(), 100_000);
-    let marked = of_path(&Marked(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
+    let marked = of_path(&WithAuxiliary(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
     let all = [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("mark", marked)];
     for (name, judgement) in all {
         let low = |judged: &freepath_statistics::Judged| -> Vec<String> {
@@ -65,7 +65,7 @@ fn the_right_ones_pass() {
     let exact = of_path(&exact, 400_000);
     let estimate = of_estimate(&changed(|path, _| path), 400_000);
     let weights = of_weights(|_, _| 1.0, 1.0);
-    let marked = of_path(&Marked(|_, u| u), 400_000);
+    let marked = of_path(&WithAuxiliary(|_, u| u), 400_000);
     for judgement in [exact, estimate, weights, marked] {
         assert_eq!(judgement.decision.verdict, Verdict::Pass, "{:?}", judgement.decision);
     }

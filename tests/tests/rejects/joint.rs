@@ -3,7 +3,7 @@
 use crate::path::{MU, in_part, path, right};
 use freepath_draws::random::{exponential, uniform};
 use freepath_draws::{Draws, PathColumns, Streams};
-use freepath_estimators::{Extinction, FreePath, FreePathSampler};
+use freepath_estimators::{AuxiliaryPath, Extinction, FreePath, FreePathSampler};
 use rand::Rng;
 use std::sync::Mutex;
 
@@ -54,18 +54,18 @@ impl FreePathSampler for Resumed {
     }
 }
 
-/// Gives a mark with each draw.
-pub(crate) struct Marked(pub(crate) fn(f64, f64) -> f64);
+/// Gives an auxiliary number with each draw.
+pub(crate) struct WithAuxiliary(pub(crate) fn(f64, f64) -> f64);
 
-impl FreePathSampler for Marked {
+impl FreePathSampler for WithAuxiliary {
     fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
         in_part(medium, rng)
     }
-    fn marked(&self) -> bool {
+    fn has_auxiliary(&self) -> bool {
         true
     }
-    fn sample_marked(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> (FreePath, f64) {
+    fn sample_with_auxiliary(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> AuxiliaryPath {
         let path = self.sample(medium, rng);
-        (path, (self.0)(path.t, uniform(rng)))
+        AuxiliaryPath { path, auxiliary: (self.0)(path.t, uniform(rng)) }
     }
 }

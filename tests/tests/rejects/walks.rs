@@ -1,6 +1,6 @@
 //! Walks whose rows, look-ups or collisions are wrong.
 
-use crate::joint::{Marked, Resumed, Twice};
+use crate::joint::{Resumed, Twice, WithAuxiliary};
 use crate::path::{LENGTH, Sampler, escape, of_path, path, right, whole};
 use crate::ramp::in_the_ramp;
 use freepath_estimators::FreePath;
@@ -32,7 +32,7 @@ pub(crate) fn walks() -> Vec<(&'static str, Reason, Judgement)> {
         (
             "mark",
             Reason::Dependent,
-            of_path(&Marked(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000),
+            of_path(&WithAuxiliary(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000),
         ),
         ("coleman", Reason::WrongLaw, of_path(&twice, 200_000)),
         ("lookups", Reason::WrongCost, of_path(&looks, 400_000)),

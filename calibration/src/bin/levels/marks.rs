@@ -8,7 +8,7 @@ use freepath_results::Reason;
 use freepath_statistics::Evidence;
 use freepath_statistics::hypothesis::{agree_law, mark};
 use freepath_statistics::special::chi_square_sf;
-use freepath_statistics::tally::{CellTally, MarkTally};
+use freepath_statistics::tally::{AuxiliaryTally, CellTally};
 
 /// A table of `rows` rows, each of draws that expect `each` in each of `columns` cells.
 struct Table {
@@ -48,7 +48,7 @@ impl Table {
 }
 
 fn of_marks(counts: &[Vec<u64>]) -> Evidence {
-    let mut tally = MarkTally::default();
+    let mut tally = AuxiliaryTally::default();
     for (group, row) in tally.counts.iter_mut().zip(counts) {
         group.copy_from_slice(row);
     }

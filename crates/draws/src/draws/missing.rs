@@ -14,7 +14,7 @@ impl MissingColumn {
         Self { wanted, row }
     }
 
-    /// What was asked for.
+    /// The column that was asked for.
     #[must_use]
     pub fn wanted(&self) -> &Column {
         &self.wanted

@@ -21,7 +21,7 @@ impl Script {
     }
 }
 
-/// Where a block of draws takes its uniforms from: a key, perhaps behind a script, with a budget of words.
+/// The source of the uniforms of a block of draws: a key, perhaps behind a script, with a budget of words.
 #[derive(Clone, Debug)]
 pub struct Streams {
     key: Key,
@@ -29,7 +29,7 @@ pub struct Streams {
     budget: u64,
 }
 
-/// What a generator throws when a subject has drawn more words than its budget: the harness catches it.
+/// The payload that a generator throws when a subject has drawn more words than its budget: the harness catches it.
 #[derive(Clone, Copy, Debug)]
 pub struct Spent;
 

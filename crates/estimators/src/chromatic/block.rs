@@ -14,7 +14,7 @@ pub(super) struct Own {
     pub(super) density: f64,
 }
 
-/// What a channel's contribution is divided by to give its weight. Every method must be `#[inline(always)]` and free of
+/// The divisor that makes a weight of a channel's contribution. Every method must be `#[inline(always)]` and free of
 /// branches: they run once for each lane.
 pub(super) trait Heuristic {
     /// The sum after one more channel's `share` q_j p_j(t).
@@ -124,12 +124,12 @@ impl<'a, H: Heuristic> Block<'a, H> {
         }
     }
 
-    /// For each lane, what `of` says of the channel that `choice` draws.
+    /// For each lane, the value of the channel that `choice` draws.
     #[inline(always)]
-    fn of_drawn(&self, choice: &Row, of: impl Fn(usize) -> Row) -> Row {
-        let mut drawn = of(self.last);
+    fn of_drawn(&self, choice: &Row, value: impl Fn(usize) -> Row) -> Row {
+        let mut drawn = value(self.last);
         for (k, term) in self.terms[..self.last].iter().enumerate().rev() {
-            let own = of(k);
+            let own = value(k);
             for l in 0..LANES {
                 drawn[l] = if choice[l] < term.up_to { own[l] } else { drawn[l] };
             }

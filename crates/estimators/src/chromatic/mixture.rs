@@ -7,7 +7,7 @@ use freepath_draws::math;
 use freepath_draws::quadrature::integrate;
 use freepath_draws::random::{exponential, uniform};
 
-/// How likely each channel is drawn: given, or all alike.
+/// The probability of drawing each channel: given, or all alike.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Probabilities(Option<Vec<f64>>);
 
@@ -111,7 +111,7 @@ pub(super) fn density(channel: &Channel, t: f64) -> f64 {
     }
 }
 
-/// What the weight of a channel estimates: its density times its albedo, or its transmittance.
+/// The target of the weight of a channel: its density times its albedo, or its transmittance.
 #[inline(always)]
 pub(super) fn contribution(channel: &Channel, t: f64) -> f64 {
     let albedo = if t >= f64::INFINITY { 1.0 } else { channel.albedo };
@@ -143,15 +143,15 @@ pub(super) fn claims(
     let mut breaks: Vec<f64> = scales.collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
-    let at = |channel: &Channel, t: f64, order: usize| {
+    let moment = |channel: &Channel, t: f64, order: usize| {
         let f = contribution(channel, t);
         if f > 0.0 { density(f, t, order) } else { 0.0 }
     };
     let scatter = |c: &Channel| {
-        std::array::from_fn(|order| integrate(&|t| at(c, t, order), 0.0, length(channels), &breaks).value)
+        std::array::from_fn(|order| integrate(&|t| moment(c, t, order), 0.0, length(channels), &breaks).value)
     };
     let finite = |moments: &Vec<[f64; 3]>| moments.iter().all(|x| x[0].is_finite());
-    let surface = |c: &Channel| std::array::from_fn(|order| at(c, f64::INFINITY, order));
+    let surface = |c: &Channel| std::array::from_fn(|order| moment(c, f64::INFINITY, order));
     ChromaticClaims {
         mixture: Some(probability.to_vec()),
         scatter_moments: Some(channels.iter().map(scatter).collect()).filter(finite),
@@ -164,7 +164,7 @@ pub(super) fn claims(
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "channel_mixture")]
 pub(super) struct Mixed {
-    /// How likely each channel is drawn: positive, of sum 1, one for each channel; all alike if not given.
+    /// The probability of drawing each channel: positive, of sum 1, one for each channel; all alike if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) channel_probabilities: Option<Vec<f64>>,
 }

@@ -33,7 +33,7 @@ struct Parameters {
     /// The channel that is always drawn, counted from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     channel: Option<usize>,
-    /// How likely each channel is drawn: not negative, of sum 1, one for each channel; all alike if not given.
+    /// The probability of drawing each channel: not negative, of sum 1, one for each channel; all alike if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     channel_probabilities: Option<Vec<f64>>,
 }
@@ -126,11 +126,11 @@ impl ChromaticSampler for SingleChannel {
         let q = self.mixture(channels.len());
         mixture::claims(channels, &q, &|f, t, order| {
             let drawn = channels.iter().zip(&q).filter(|&(_, &q)| q > 0.0);
-            let one = |(channel, q): (&Channel, &f64)| {
+            let term = |(channel, q): (&Channel, &f64)| {
                 let pdf = mixture::density(channel, t);
                 q * pdf * mixture::even_power(f / pdf, order)
             };
-            drawn.map(one).sum()
+            drawn.map(term).sum()
         })
     }
 

@@ -61,7 +61,7 @@ enum Continuous {
     Distribution(Expression),
 }
 
-/// How far the masses may add up to something else than 1.
+/// The most by which the masses may add up to something else than 1.
 const EXCESS: f64 = 1e-9;
 /// Places at which a formula is looked at before it is believed.
 const PLACES: u32 = 4096;
@@ -136,7 +136,7 @@ impl Target {
         Ok(target)
     }
 
-    /// Where its numbers lie.
+    /// The domain in which its numbers lie.
     #[must_use]
     pub fn domain(&self) -> [f64; 2] {
         self.domain
@@ -201,7 +201,7 @@ impl Target {
         density || self.atoms.iter().any(|atom| x.total_cmp(&atom.at).is_eq())
     }
 
-    /// How far a probability may be off.
+    /// The most by which a probability may be off.
     #[must_use]
     pub fn error(&self) -> f64 {
         match &self.continuous {

@@ -28,9 +28,9 @@ pub(super) mod rule;
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "ray_marching_free_path")]
 pub struct RayMarching {
-    /// Where in its step the extinction is looked up.
+    /// The place in its step where the extinction is looked up.
     pub rule: MarchingRule,
-    /// How many steps, 1 to 1e8.
+    /// The number of steps, 1 to 1e8.
     #[schemars(range(min = 1, max = 100_000_000))]
     pub steps: Steps,
 }

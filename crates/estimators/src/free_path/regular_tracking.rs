@@ -76,12 +76,12 @@ impl FreePathSampler for RegularTracking {
         let mut depth = exponential(rng);
         for (start, end) in cells(medium) {
             let h = end - start;
-            let (y, cell) = invert(self.cells, &|s| medium.mu(start + h * s), depth / h);
-            if !(h * cell <= depth) {
-                let t = start + h * y;
+            let inverse = invert(self.cells, &|s| medium.mu(start + h * s), depth / h);
+            if !(h * inverse.whole <= depth) {
+                let t = start + h * inverse.place;
                 return FreePath::at(if t > end { end } else { t }); // NaN is a collision, at NaN
             }
-            depth -= h * cell;
+            depth -= h * inverse.whole;
         }
         FreePath::at(f64::INFINITY)
     }

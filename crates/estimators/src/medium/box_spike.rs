@@ -13,7 +13,7 @@ use crate::parameter::{self, ParameterError};
 #[serde(try_from = "Parameters", into = "Parameters")]
 pub struct BoxSpike {
     parameters: Parameters,
-    /// Where the box ends for a look-up: never, if it is the last piece.
+    /// The end of the box for a look-up: never, if it is the last piece.
     stop: f64,
     pieces: PiecewiseConstant,
 }
@@ -26,9 +26,9 @@ struct Parameters {
     base: f64,
     /// Extinction inside the box, 1/length; it may be less than the base.
     peak: f64,
-    /// Where the box starts.
+    /// The start of the box.
     start: f64,
-    /// Where the box ends.
+    /// The end of the box.
     end: f64,
     /// Length of the ray.
     length: f64,

@@ -38,7 +38,7 @@ struct Parameters {
     length: f64,
     /// An upper bound of the extinction, 1/length.
     majorant: f64,
-    /// Where mu or its slope jumps, increasing inside the ray.
+    /// Places where mu or its slope jumps, increasing inside the ray.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     breaks: Vec<f64>,
 }

@@ -24,7 +24,7 @@ pub struct Gaussian {
 struct Parameters {
     /// Height of the bump above the base, 1/length.
     peak: f64,
-    /// Where the bump is highest.
+    /// The place where the bump is highest.
     center: f64,
     /// Standard deviation of the bump.
     width: f64,

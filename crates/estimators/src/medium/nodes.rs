@@ -7,7 +7,7 @@ pub struct Nodes {
     pub mu: Vec<f64>,
 }
 
-/// Which nodes a description wants.
+/// The nodes that a description wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodesRequest<'a> {
     /// A name relative to the case file.

@@ -6,7 +6,7 @@ use crate::parameter::{self, ParameterError};
 use freepath_draws::simd;
 use std::sync::Arc;
 
-/// How far apart two rules of quadrature may put tau, relative to the whole.
+/// The most that two rules of quadrature may put tau apart, relative to the whole.
 const AGREEMENT: f64 = 1e-9;
 
 /// A medium from any function: the one whose optical depth comes from quadrature. Made by [`numeric`].

@@ -34,7 +34,7 @@ pub(super) struct Panels {
     pub(super) edges: Vec<f64>,
     /// The integral up to each edge.
     pub(super) depths: Depths,
-    /// How far the rules are apart, over all panels.
+    /// The difference of the rules, over all panels.
     pub(super) error: f64,
     /// A lower bound in each panel, as far as samples tell.
     least: Vec<f64>,

@@ -1,4 +1,4 @@
-//! What the media made of pieces share.
+//! Functions that the media made of pieces share.
 
 use crate::parameter::{self, ParameterError};
 

@@ -22,7 +22,7 @@ pub struct PiecewiseConstant {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "piecewise_constant")]
 struct Parameters {
-    /// Where the pieces begin and end, increasing from 0 to the length of the ray.
+    /// The places where the pieces begin and end, increasing from 0 to the length of the ray.
     edges: Vec<f64>,
     /// Extinction of each piece, 1/length.
     values: Vec<f64>,

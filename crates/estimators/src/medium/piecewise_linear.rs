@@ -26,7 +26,7 @@ pub struct PiecewiseLinear {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "piecewise_linear")]
 struct Parameters {
-    /// Where extinction is given, increasing from 0 to the length of the ray; the same twice where it jumps.
+    /// The places where extinction is given, increasing from 0 to the length of the ray; the same twice where it jumps.
     nodes: Vec<f64>,
     /// Extinction at each node, 1/length.
     values: Vec<f64>,

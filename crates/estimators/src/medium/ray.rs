@@ -2,8 +2,8 @@
 #[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ray {
-    /// Where it starts, in world coordinates.
+    /// Its start, in world coordinates.
     pub origin: [f64; 3],
-    /// Where it goes; of any length.
+    /// Its direction; of any length.
     pub direction: [f64; 3],
 }

@@ -80,8 +80,8 @@ fn mirror(length: f64, s: f64) -> f64 {
     if length - t > s { t.next_up() } else { t }
 }
 
-/// Where to look the inner medium up for `t`: just below `length - t`, so that the piece which starts at a break is also
-/// the one that is seen there.
+/// The place where the inner medium is looked up for `t`: just below `length - t`, so that the piece which starts at a
+/// break is also the one that is seen there.
 #[inline(always)]
 fn place(length: f64, t: f64) -> f64 {
     let s = length - t;

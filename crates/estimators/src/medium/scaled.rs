@@ -19,7 +19,7 @@ pub struct Scaled {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "scaled")]
 struct Parameters {
-    /// What extinction is multiplied by.
+    /// The factor of the extinction.
     by: f64,
     /// The medium that is scaled.
     medium: Box<AnyMedium>,

@@ -19,9 +19,9 @@ pub struct Segment {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "segment")]
 struct Parameters {
-    /// Where the part starts.
+    /// The start of the part.
     from: f64,
-    /// Where the part ends.
+    /// The end of the part.
     to: f64,
     /// The medium that is cut.
     medium: Box<AnyMedium>,
@@ -164,7 +164,7 @@ impl<M: Medium> Medium for View<M> {
         let s = self.from + t;
         self.inner.tau(if s < self.to { s } else { self.to }) - self.before
     }
-    /// What lies before the part is added and taken away again: its rounding stays.
+    /// The depth before the part is added and taken away again: its rounding stays.
     fn tau_error(&self) -> f64 {
         2.0 * (self.inner.tau_error() + f64::EPSILON * self.before)
     }

@@ -21,7 +21,7 @@ pub struct Table {
     parameters: Parameters,
 }
 
-/// How mu follows from the rows.
+/// The way in which mu follows from the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum Interpolation {
@@ -37,7 +37,7 @@ enum Interpolation {
 struct Parameters {
     /// Its name, from the folder of the case: `.csv`, `.txt` or `.npy`.
     file: String,
-    /// How mu follows from the rows.
+    /// The way in which mu follows from the rows.
     interpolation: Interpolation,
     /// The column of t, by name or by number from 0 (default: the one named `t`; the first if there are no names).
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -45,7 +45,7 @@ struct Parameters {
     /// The column of mu, by name or by number from 0 (default: the one named `mu`; the second of two if there are no names).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     mu: Option<String>,
-    /// Where the ray ends, at or beyond the last row (default: there).
+    /// The end of the ray, at or beyond the last row (default: there).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     length: Option<f64>,
 }

@@ -1,10 +1,10 @@
-//! What the views of a medium share.
+//! Functions that the views of a medium share.
 
 use crate::extinction::Medium;
 use crate::majorants::Majorants;
 use crate::parameter::ParameterError;
 
-/// How many look-ups are passed on at a time.
+/// Look-ups that are passed on at a time.
 const TILE: usize = 256;
 
 /// Looks `inner` up at `place(t)` for each `t`, through its own tile.

@@ -9,16 +9,16 @@ pub struct Volume {
     pub bounds: Option<[[f64; 3]; 2]>,
 }
 
-/// Which volume a description wants.
+/// The volume that a description wants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VolumeRequest<'a> {
     /// A name relative to the case file.
     pub file: &'a str,
-    /// Which of the values of a voxel, from 0.
+    /// The number of a value in its voxel, from 0.
     pub channel: usize,
     /// The layout of a file without a header.
     pub raw: Option<&'a Raw>,
-    /// Which of several grids, by name.
+    /// The name of one of several grids.
     pub grid: Option<&'a str>,
     /// The first and the last voxel of the wanted part, both in it.
     pub voxels: Option<&'a [[i32; 3]; 2]>,
@@ -38,7 +38,7 @@ impl<'a> VolumeRequest<'a> {
 pub struct Raw {
     /// nx, ny, nz.
     pub shape: [u64; 3],
-    /// What each value is.
+    /// The type of each value.
     pub values: RawType,
     /// The most significant byte comes first.
     #[serde(default)]

@@ -42,27 +42,27 @@ struct Parameters {
     /// The file of the values, an array `[z][y][x]` or `[z][y][x][channel]`: `.npy`, `.vol` (Mitsuba), or any name with
     /// `raw`; or `.vdb` (OpenVDB), a sparse tree.
     file: String,
-    /// Which of the values of a voxel, from 0.
+    /// The number of a value in its voxel, from 0.
     #[serde(default)]
     channel: usize,
     /// The layout of a file without a header.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     raw: Option<Raw>,
-    /// Which grid of a `.vdb` file, if it has several; `name[1]` is the second of one name.
+    /// The grid of a `.vdb` file, if it has several; `name[1]` is the second of one name.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     grid: Option<String>,
     /// The first and the last voxel of the part of a `.vdb` grid that is read, `[[i0, j0, k0], [i1, j1, k1]]`, both in it.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     voxels: Option<[[i32; 3]; 2]>,
-    /// How mu follows from the values around a point.
+    /// The way in which mu follows from the values around a point.
     filter: Filter,
     /// Two corners of the box, `[[x0, y0, z0], [x1, y1, z1]]`; may be left out for a `.vdb` grid whose own transform keeps
     /// the axes.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     bounds: Option<[[f64; 3]; 2]>,
-    /// Where the ray starts.
+    /// The start of the ray.
     origin: [f64; 3],
-    /// Where the ray goes; of any length but 0.
+    /// The direction of the ray; of any length but 0.
     direction: [f64; 3],
     /// Extinction per unit of the values, 1/length.
     #[serde(default = "one")]

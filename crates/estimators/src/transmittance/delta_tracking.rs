@@ -24,7 +24,7 @@ use freepath_draws::{Draws, Streams};
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "delta_tracking_transmittance")]
 pub struct DeltaTracking {
-    /// What happens at the end of a majorant's segment.
+    /// The form of the walk at the end of a majorant's segment.
     #[serde(default)]
     pub form: Form,
 }

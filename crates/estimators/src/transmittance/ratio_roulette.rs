@@ -32,13 +32,20 @@ pub enum RouletteRule {
     PbrtV4,
 }
 
+/// The stake of a weight.
+struct Odds {
+    plays: bool,
+    /// The probability of survival if it plays.
+    survival: f64,
+}
+
 impl RouletteRule {
-    /// Whether `weight` plays, and its probability of survival: min(0.95, w), which below 0.1 is w, or 1/4.
+    /// The odds of `weight`: a survival of min(0.95, w), which below 0.1 is w, or of 1/4.
     #[inline(always)]
-    fn odds(self, weight: f64) -> (bool, f64) {
+    fn odds(self, weight: f64) -> Odds {
         match self {
-            Self::PbrtV3 => (weight < 0.1, weight),
-            Self::PbrtV4 => (weight < 0.05, 0.25),
+            Self::PbrtV3 => Odds { plays: weight < 0.1, survival: weight },
+            Self::PbrtV4 => Odds { plays: weight < 0.05, survival: 0.25 },
         }
     }
 }
@@ -55,7 +62,7 @@ impl CollisionRule for RatioRoulette {
     #[inline(always)]
     fn collide(&self, weight: f64, at: Collision) -> (f64, bool) {
         let weight = weight * (1.0 - at.mu * at.mfp);
-        let (plays, survival) = self.rule.odds(weight);
+        let Odds { plays, survival } = self.rule.odds(weight);
         let stop = plays & !(at.u < survival);
         let survivor = if plays { weight / survival } else { weight };
         (if stop { 0.0 } else { survivor }, stop)
@@ -87,9 +94,9 @@ impl TransmittanceEstimator for RatioRoulette {
         let chain = self.chain(truth);
         TransmittanceClaims {
             bounded: self.rule == RouletteRule::PbrtV3,
-            moments: chain.map(|(moments, _)| moments),
+            moments: chain.as_ref().map(|chain| chain.moments),
             range: within.then_some((0.0, 1.0)),
-            lookups: chain.map(|(_, lookups)| lookups),
+            lookups: chain.map(|chain| chain.lookups),
             ..TransmittanceClaims::default()
         }
     }
@@ -100,6 +107,21 @@ impl TransmittanceEstimator for RatioRoulette {
     }
 }
 
+/// The exact account of all walks.
+struct Chain {
+    /// E[X^k] for k = 1 to 6.
+    moments: [f64; 6],
+    /// The expected look-ups of one.
+    lookups: f64,
+}
+
+/// Walks after some collisions, of which all that live weigh the same.
+struct Walks {
+    /// The probability of being alive.
+    alive: f64,
+    weight: f64,
+}
+
 impl RatioRoulette {
     /// E[X^k] for k = 1 to 6 and the expected look-ups, in a constant medium under a constant majorant of integral up to
     /// 700: there the walk after n collisions is alive with a known probability, and all living walks weigh the same.
@@ -107,7 +129,7 @@ impl RatioRoulette {
     /// ```text
     /// E[X^k] = sum_n Poisson(n; L) alive_n w_n^k,   look-ups = sum_n Poisson(n; L) sum_{m < n} alive_m
     /// ```
-    fn chain(&self, truth: &dyn Medium) -> Option<([f64; 6], f64)> {
+    fn chain(&self, truth: &dyn Medium) -> Option<Chain> {
         let &[mu_bar] = truth.majorants().mu_bar() else {
             return None;
         };
@@ -117,30 +139,31 @@ impl RatioRoulette {
             return None;
         }
         let ratio = 1.0 - truth.mu(0.5 * truth.length()) / mu_bar;
-        let (mut probability, mut alive, mut weight, mut paid) = (libm::exp(-mean), 1.0, 1.0, 0.0);
+        let mut walks = Walks { alive: 1.0, weight: 1.0 };
+        let (mut probability, mut paid) = (libm::exp(-mean), 0.0);
         let (mut moments, mut lookups) = ([0.0; 6], 0.0);
         for n in 1..=(mean + 15.0 * mean.sqrt() + 60.0) as u32 {
-            let mut mass = probability * alive;
+            let mut mass = probability * walks.alive;
             for moment in &mut moments {
-                mass *= weight;
+                mass *= walks.weight;
                 *moment += mass;
             }
             lookups += probability * paid;
-            (probability, paid) = (probability * mean / f64::from(n), paid + alive);
-            (alive, weight) = self.after(alive, weight * ratio);
+            (probability, paid) = (probability * mean / f64::from(n), paid + walks.alive);
+            walks = self.play(Walks { weight: walks.weight * ratio, ..walks });
         }
-        Some((moments, lookups))
+        Some(Chain { moments, lookups })
     }
 
-    /// The probability of being alive, and the weight, after a roulette entered with `weight`.
-    fn after(&self, alive: f64, weight: f64) -> (f64, f64) {
-        let (plays, survival) = self.rule.odds(weight);
+    /// The walks after a roulette.
+    fn play(&self, Walks { alive, weight }: Walks) -> Walks {
+        let Odds { plays, survival } = self.rule.odds(weight);
         if !plays {
-            (alive, weight)
+            Walks { alive, weight }
         } else if survival > 0.0 {
-            (alive * survival, weight / survival)
+            Walks { alive: alive * survival, weight: weight / survival }
         } else {
-            (0.0, 0.0)
+            Walks { alive: 0.0, weight: 0.0 }
         }
     }
 }

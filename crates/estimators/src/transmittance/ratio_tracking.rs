@@ -2,7 +2,7 @@ use crate::capability::{Capability, RATIO_TRACKING};
 use crate::claims::TransmittanceClaims;
 use crate::extinction::{Extinction, Medium};
 use crate::transmittance::TransmittanceEstimator;
-use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
+use crate::woodcock::{Collision, CollisionRule, Form, RateSegment, Rates, walk, walks};
 use freepath_draws::quadrature::integrate_noisy;
 use freepath_draws::{Draws, Streams};
 
@@ -56,7 +56,7 @@ impl CollisionRule for Ratio {
 pub(crate) fn moments(truth: &dyn Medium, rates: &Rates, start: f64) -> [f64; 6] {
     std::array::from_fn(|i| {
         let k = (i + 1) as f64;
-        let part = |(a, b, rate, control): (f64, f64, f64, f64)| {
+        let part = |RateSegment { start: a, end: b, rate, control }| {
             let gain = |t: f64| rate * growth((truth.mu(t) - control) / rate, k);
             // where mu is the control but for rounding, the integral is nothing but that: times the slope of r^k, |r| <= 2
             let noise = 1e-15 * control.abs() * k * libm::exp2(k - 1.0) * (b - a);

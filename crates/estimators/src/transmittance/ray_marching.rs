@@ -25,14 +25,14 @@ use std::collections::HashMap;
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "ray_marching_transmittance")]
 pub struct RayMarching {
-    /// Where in its step each point lies.
+    /// The place of each point in its step.
     pub rule: MarchingRule,
-    /// How many steps, 1 to 1e8.
+    /// The number of steps, 1 to 1e8.
     #[schemars(range(min = 1, max = 100_000_000))]
     pub steps: Steps,
 }
 
-/// Where in its step each point lies.
+/// The place of each point in its step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "ray_marching_transmittance_rule")]

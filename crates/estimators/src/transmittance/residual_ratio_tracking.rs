@@ -6,7 +6,7 @@ use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
 use crate::transmittance::TransmittanceEstimator;
 use crate::transmittance::ratio_tracking::{Ratio, moments};
-use crate::woodcock::{Form, Rates, walk, walks};
+use crate::woodcock::{Form, RateSegment, Rates, walk, walks};
 use freepath_draws::{Draws, Streams, math};
 
 /// Residual ratio tracking: the transmittance of a control, corrected by ratio tracking of what is left (Novak, Selle and
@@ -31,7 +31,7 @@ pub struct ResidualRatioTracking {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "residual_ratio_tracking")]
 struct Parameters {
-    /// What is known of mu beforehand.
+    /// The control: mu as it is known beforehand.
     control: Control,
 }
 
@@ -133,7 +133,7 @@ impl TransmittanceEstimator for ResidualRatioTracking {
 
 /// Is every factor 1 - (mu - control) / rate in [0, 1], but for rounding?
 fn within(rates: &Rates, truth: &dyn Medium) -> bool {
-    rates.segments().all(|(start, end, rate, control)| {
+    rates.segments().all(|RateSegment { start, end, rate, control }| {
         let (least, greatest) = truth.extrema(start, end);
         let rounding = 16.0 * f64::EPSILON * greatest;
         control <= least + rounding && greatest - control <= rate + rounding

@@ -11,6 +11,25 @@ pub struct Rates<'a> {
     control: Cow<'a, [f64]>,
 }
 
+/// One segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateSegment {
+    /// Its start.
+    pub start: f64,
+    /// Its end.
+    pub end: f64,
+    /// Its rate of tentative collisions.
+    pub rate: f64,
+    /// Its control extinction.
+    pub control: f64,
+}
+
+impl RateSegment {
+    fn width(&self) -> f64 {
+        self.end - self.start
+    }
+}
+
 impl<'a> Rates<'a> {
     /// The majorants as rates, with no control.
     #[must_use]
@@ -34,7 +53,7 @@ impl<'a> Rates<'a> {
         Self { mfp: (0..self.len()).map(|k| self.mfp(k)).collect(), ..self.clone() }
     }
 
-    /// How many segments.
+    /// The number of segments.
     #[inline(always)]
     #[expect(clippy::len_without_is_empty, reason = "a ray has at least one segment")]
     #[must_use]
@@ -42,7 +61,7 @@ impl<'a> Rates<'a> {
         self.ends.len()
     }
 
-    /// Where segment `k` ends.
+    /// The end of segment `k`.
     #[inline(always)]
     #[must_use]
     pub fn end(&self, k: usize) -> f64 {
@@ -78,22 +97,22 @@ impl<'a> Rates<'a> {
     }
 
     /// Start, end, rate and control of each segment.
-    pub fn segments(&self) -> impl Iterator<Item = (f64, f64, f64, f64)> {
+    pub fn segments(&self) -> impl Iterator<Item = RateSegment> {
         let starts = std::iter::once(0.0).chain(self.ends.iter().copied());
         let spans = starts.zip(self.ends.iter().copied()).enumerate();
-        spans.map(|(k, (start, end))| (start, end, self.rate(k), self.control(k)))
+        spans.map(|(k, (start, end))| RateSegment { start, end, rate: self.rate(k), control: self.control(k) })
     }
 
     /// The integral of the control over the whole length.
     #[must_use]
     pub fn control_depth(&self) -> f64 {
-        self.segments().map(|(start, end, _, control)| control * (end - start)).sum()
+        self.segments().map(|segment| segment.control * segment.width()).sum()
     }
 
     /// The integral of the rate over the whole length: the mean of the Poisson count of tentative collisions of a walk
     /// that never stops.
     #[must_use]
     pub fn depth(&self) -> f64 {
-        self.segments().map(|(start, end, rate, _)| rate * (end - start)).sum()
+        self.segments().map(|segment| segment.rate * segment.width()).sum()
     }
 }

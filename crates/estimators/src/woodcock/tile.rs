@@ -45,7 +45,7 @@ struct Tile<S> {
     end: Rows<f64>,
     control: Rows<f64>,
     state: Rows<S>,
-    /// Which row of the block the walk writes.
+    /// The row of the block that the walk writes.
     walk: [u32; TILE],
     /// The pass at which it started: its collisions are the passes since.
     born: [u32; TILE],
@@ -128,7 +128,7 @@ fn for_each_set(set: &Set, len: usize, mut event: impl FnMut(usize)) {
     }
 }
 
-/// What stays the same while a block of walks is in the air.
+/// All that stays the same while a block of walks is in the air.
 struct Flight<'a, R, U> {
     rule: &'a R,
     rates: &'a Rates<'a>,

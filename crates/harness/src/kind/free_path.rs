@@ -9,11 +9,13 @@ use crate::samples::{EscapeRule, Escapes, Place, RowFormat};
 use crate::scene::Scene;
 use freepath_draws::random::exponential;
 use freepath_draws::{Draws, PathColumns, Row, Streams, column};
-use freepath_estimators::medium::scaled;
 use freepath_estimators::free_path::AnyFreePath;
-use freepath_estimators::{Capability, Extinction, FreePath, MajorantChoice, ParameterError, FreePathSampler};
-use freepath_statistics::claim::Withdrawal;
+use freepath_estimators::medium::scaled;
+use freepath_estimators::{
+    AuxiliaryPath, Capability, Extinction, FreePath, FreePathSampler, MajorantChoice, ParameterError,
+};
 use freepath_statistics::Fact;
+use freepath_statistics::claim::Withdrawal;
 use rand::Rng;
 
 mod control;
@@ -79,7 +81,7 @@ impl Kind for FreePathKind {
 
     fn row(_: Ray, sampler: Option<&Self::Sampler<'_>>) -> Row {
         let row = Row::new().with_f64(column::T).with_f64(column::WEIGHT).with_u32(column::COLLISIONS);
-        if sampler.is_some_and(FreePathSampler::marked) { row.with_f64(column::AUXILIARY) } else { row }
+        if sampler.is_some_and(FreePathSampler::has_auxiliary) { row.with_f64(column::AUXILIARY) } else { row }
     }
 
     /// A free path that is the length within the tolerance is an escape.
@@ -171,18 +173,12 @@ impl Methods for &dyn FreePathSampler {
         self.sample_block(medium, streams, out);
     }
 
-    fn one(
-        &self,
-        medium: &dyn Extinction,
-        rng: &mut dyn Rng,
-        row: usize,
-        out: &mut PathColumns,
-    ) -> FreePath {
+    fn one(&self, medium: &dyn Extinction, rng: &mut dyn Rng, row: usize, out: &mut PathColumns) -> FreePath {
         if !out.wants_auxiliary() {
             return self.sample(medium, rng);
         }
-        let (path, mark) = self.sample_marked(medium, rng);
-        out.put_auxiliary(row, mark);
+        let AuxiliaryPath { path, auxiliary } = self.sample_with_auxiliary(medium, rng);
+        out.put_auxiliary(row, auxiliary);
         path
     }
 }

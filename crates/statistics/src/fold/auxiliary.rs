@@ -1,6 +1,6 @@
 use super::{Fold, Merge};
 use crate::block::{Block, CellIndex, Scratch};
-use crate::tally::{MarkTally, Scores};
+use crate::tally::{AuxiliaryTally, Scores};
 use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
@@ -14,21 +14,26 @@ pub struct Auxiliary {
     pub index: CellIndex,
 }
 
-impl Merge for MarkTally {
+impl Merge for AuxiliaryTally {
     fn merge(&mut self, other: &Self) {
         self.merge(other);
     }
 }
 
 impl Fold for Auxiliary {
-    type Counts = MarkTally;
+    type Counts = AuxiliaryTally;
     type Sums = ();
 
-    fn empty(&self) -> MarkTally {
-        MarkTally::default()
+    fn empty(&self) -> AuxiliaryTally {
+        AuxiliaryTally::default()
     }
     fn no_sums(&self) {}
-    fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut MarkTally) -> Result<(), MissingColumn> {
+    fn observe(
+        &self,
+        block: &Block,
+        scratch: &mut Scratch,
+        counts: &mut AuxiliaryTally,
+    ) -> Result<(), MissingColumn> {
         counts.observe(&self.scores, block.f64(self.column)?, scratch.cells(self.index));
         Ok(())
     }

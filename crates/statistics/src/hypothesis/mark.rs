@@ -2,7 +2,7 @@ use super::chi_square::least_expected;
 use super::record::Test;
 use crate::evidence::Evidence;
 use crate::special::chi_square_sf;
-use crate::tally::MarkTally;
+use crate::tally::AuxiliaryTally;
 use freepath_results::Reason;
 
 /// The test's record.
@@ -29,7 +29,7 @@ Rejects: as dependent: a direction and a flight from one random number, each rig
 /// R_a is as it was drawn, so that a wrong law is not called dependent. Neighbouring groups of the distance are joined until
 /// each cell expects 50, or 800 over the cells.
 #[must_use]
-pub fn mark(tally: &MarkTally) -> Evidence {
+pub fn mark(tally: &AuxiliaryTally) -> Evidence {
     let columns = tally.counts[0].len();
     let tables = [50.0, 100.0, 200.0].map(|least| joined(tally, least * columns as f64));
     let enough = |rows: &Vec<Vec<u64>>| {
@@ -50,7 +50,7 @@ fn of_row(row: &[u64]) -> f64 {
 }
 
 /// Neighbouring rows joined until each holds `least` draws; what is left joins the last.
-fn joined(tally: &MarkTally, least: f64) -> Vec<Vec<u64>> {
+fn joined(tally: &AuxiliaryTally, least: f64) -> Vec<Vec<u64>> {
     let columns = tally.counts[0].len();
     let add = |a: &mut Vec<u64>, b: &[u64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
     let (mut rows, mut part) = (Vec::new(), vec![0; columns]);
@@ -73,9 +73,9 @@ mod tests {
     use crate::tally::{CellTally, Scores};
     use freepath_draws::random::uniform;
 
-    fn tally(mark: impl Fn(f64, f64) -> f64) -> MarkTally {
+    fn tally(mark: impl Fn(f64, f64) -> f64) -> AuxiliaryTally {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
-        let (mut tally, mut index, scores) = (MarkTally::default(), Vec::new(), Scores::new(&law));
+        let (mut tally, mut index, scores) = (AuxiliaryTally::default(), Vec::new(), Scores::new(&law));
         let mut rng = freepath_draws::Key::default().rng();
         let mut draw = |_| {
             let (t, u) = (uniform(&mut rng), uniform(&mut rng));

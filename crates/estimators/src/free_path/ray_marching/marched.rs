@@ -1,7 +1,7 @@
 use super::rule::MarchingRule;
 use crate::comb::{Comb, Steps, TILE};
 use crate::extinction::Medium;
-use freepath_draws::quadrature::points;
+use freepath_draws::quadrature::{Point, points};
 
 /// Numbers that the table of a law may hold; with more steps the law is the medium's as far as any run can see.
 const MOST_NUMBERS: usize = 1 << 23;
@@ -56,7 +56,7 @@ impl Marched {
         (i, x / self.comb.h - i as f64)
     }
 
-    /// How many midpoints lie at or before `x`.
+    /// The number of midpoints at or before `x`.
     fn points_up_to(&self, x: f64) -> usize {
         let (i, _) = self.step(x);
         i + usize::from(self.comb.at(i, 0.5) <= x)
@@ -99,8 +99,8 @@ impl Columns<'_> {
         }
         while let Some((a, b)) = open.pop() {
             let first = self.weight.len();
-            for (v, kronrod, _) in points(a, b) {
-                self = self.with(v, kronrod)?;
+            for point in points(a, b) {
+                self = self.with(point.x, point.kronrod)?;
             }
             if b - a > 1e-6 && self.disagreement(first, a, b) > 1e-12 {
                 self.weight.truncate(first);
@@ -117,7 +117,8 @@ impl Columns<'_> {
         let mut worst = 0.0;
         for i in 0..=self.comb.steps {
             let terms = points(a, b).zip(&self.depth[first..]);
-            let difference: f64 = terms.map(|((_, k, g), column)| (k - g) * libm::exp(-column[i])).sum();
+            let term = |(point, column): (Point, &Vec<f64>)| (point.kronrod - point.gauss) * libm::exp(-column[i]);
+            let difference: f64 = terms.map(term).sum();
             worst = if difference.abs() > worst { difference.abs() } else { worst };
         }
         worst

@@ -1,4 +1,4 @@
-/// Where in its step the extinction is looked up.
+/// The place in its step where the extinction is looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "ray_marching_free_path_rule")]

@@ -6,7 +6,7 @@ use crate::extinction::Cells;
 const CUBIC: [f64; 4] =
     [0.038_060_233_744_356_63, 0.308_658_283_817_455_1, 0.691_341_716_182_544_9, 0.961_939_766_255_643_4];
 
-/// How many look-ups a cell costs.
+/// The look-ups that a cell costs.
 pub(super) fn degree_points(cells: Cells) -> usize {
     match cells {
         Cells::Constant => 1,
@@ -15,13 +15,20 @@ pub(super) fn degree_points(cells: Cells) -> usize {
     }
 }
 
-/// Where the integral of `mu` from 0 reaches `depth`, and the integral up to 1. If that is smaller, the place means
-/// nothing.
-pub(super) fn invert(cells: Cells, mu: &dyn Fn(f64) -> f64, depth: f64) -> (f64, f64) {
+/// The way of an optical depth through a cell.
+pub(super) struct Inverse {
+    /// The place where the integral of mu from 0 reaches the depth; it means nothing if `whole` is smaller.
+    pub(super) place: f64,
+    /// The integral up to 1.
+    pub(super) whole: f64,
+}
+
+/// The place where the integral of `mu` from 0 reaches `depth`.
+pub(super) fn invert(cells: Cells, mu: &dyn Fn(f64) -> f64, depth: f64) -> Inverse {
     match cells {
         Cells::Constant => {
             let mu = mu(0.5);
-            (depth / mu, mu)
+            Inverse { place: depth / mu, whole: mu }
         }
         Cells::Linear => linear(mu(0.25), mu(0.75), depth),
         Cells::Cubic | Cells::Curved => cubic(CUBIC.map(mu), depth),
@@ -29,28 +36,28 @@ pub(super) fn invert(cells: Cells, mu: &dyn Fn(f64) -> f64, depth: f64) -> (f64,
 }
 
 /// From mu at 1/4 and 3/4: the root that does not cancel, for rising, falling and level mu alike.
-fn linear(left: f64, right: f64, depth: f64) -> (f64, f64) {
+fn linear(left: f64, right: f64, depth: f64) -> Inverse {
     let middle = 0.5 * (left + right);
     if middle <= depth {
-        return (1.0, middle);
+        return Inverse { place: 1.0, whole: middle };
     }
     let rise = 2.0 * (right - left);
     let a = middle - 0.5 * rise;
     let a = if a < 0.0 { 0.0 } else { a }; // by rounding alone
     let square = a * a + 2.0 * depth * rise;
     let sum = a + (if square < 0.0 { 0.0 } else { square }).sqrt();
-    let y = if sum <= 0.0 { 0.0 } else { 2.0 * depth / sum };
-    (y, middle)
+    let place = if sum <= 0.0 { 0.0 } else { 2.0 * depth / sum };
+    Inverse { place, whole: middle }
 }
 
 /// From mu at the Chebyshev points: Newton's method on the integral, a quartic that never falls, kept between bounds.
-fn cubic(mu: [f64; 4], depth: f64) -> (f64, f64) {
+fn cubic(mu: [f64; 4], depth: f64) -> Inverse {
     let c = coefficients(mu);
     let value = |s: f64| c[0] + s * (c[1] + s * (c[2] + s * c[3]));
     let integral = |s: f64| s * (c[0] + s * (c[1] / 2.0 + s * (c[2] / 3.0 + s * c[3] / 4.0)));
     let whole = integral(1.0);
     if whole <= depth {
-        return (1.0, whole);
+        return Inverse { place: 1.0, whole };
     }
     let (mut low, mut high, mut s) = (0.0, 1.0, depth / whole);
     for _ in 0..100 {
@@ -68,7 +75,7 @@ fn cubic(mu: [f64; 4], depth: f64) -> (f64, f64) {
         let inside = newton > low && newton < high;
         s = if inside { newton } else { 0.5 * (low + high) };
     }
-    (s, whole)
+    Inverse { place: s, whole }
 }
 
 /// The cubic through the values at the Chebyshev points, in powers of s: Newton's divided differences, multiplied out.
@@ -104,12 +111,12 @@ mod tests {
     #[test]
     fn the_linear_root_holds_for_every_slope_and_at_the_ends() {
         for (a, b) in [(0.0, 2.0), (2.0, 0.0), (1.0, 1.0), (1.0, 1.0 + 1e-15), (0.3, 4.0)] {
-            let (y, whole) = linear(0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b, 0.0);
-            assert!(y.abs() < 1e-15 && (whole - 0.5 * (a + b)).abs() < 1e-15);
+            let none = linear(0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b, 0.0);
+            assert!(none.place.abs() < 1e-15 && (none.whole - 0.5 * (a + b)).abs() < 1e-15);
             for i in 1..100 {
                 let s = f64::from(i) / 100.0;
                 let depth = s * (a + 0.5 * s * (b - a));
-                let (y, _) = linear(0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b, depth);
+                let y = linear(0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b, depth).place;
                 assert!((y - s).abs() < 1e-13, "{a} {b} {s} {y}");
             }
         }
@@ -119,8 +126,8 @@ mod tests {
     fn the_cubic_is_inverted_where_it_touches_zero_too() {
         let touching = |s: f64| 3.0 * (s - 0.4) * (s - 0.4) * (1.0 + s);
         for i in 0..1000 {
-            let (whole, u) = (cubic(CUBIC.map(touching), 9.0).1, f64::from(i) / 1000.0);
-            let (s, _) = cubic(CUBIC.map(touching), u * whole);
+            let (whole, u) = (cubic(CUBIC.map(touching), 9.0).whole, f64::from(i) / 1000.0);
+            let s = cubic(CUBIC.map(touching), u * whole).place;
             let back = freepath_draws::quadrature::integrate(&touching, 0.0, s, &[]).value;
             assert!((back - u * whole).abs() < 1e-14, "{u}");
         }
@@ -129,8 +136,8 @@ mod tests {
     #[test]
     fn a_nan_comes_out() {
         for cells in [Cells::Constant, Cells::Linear, Cells::Cubic] {
-            let (y, whole) = invert(cells, &|_| f64::NAN, 0.5);
-            assert!(y.is_nan() && whole.is_nan());
+            let inverse = invert(cells, &|_| f64::NAN, 0.5);
+            assert!(inverse.place.is_nan() && inverse.whole.is_nan());
         }
     }
 }

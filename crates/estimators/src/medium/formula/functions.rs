@@ -1,4 +1,4 @@
-//! What a formula may call.
+//! Functions that a formula may call.
 
 /// A function of one number.
 pub(super) type One = fn(f64) -> f64;

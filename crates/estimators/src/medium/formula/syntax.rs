@@ -1,7 +1,7 @@
 use super::functions::{ONE, TWO, Two, names};
 use super::step::{DEEPEST, Step};
 
-/// How deep brackets, signs and powers may be nested; a step needs at most one place of the stack for each.
+/// The depth to which brackets, signs and powers may be nested; a step needs at most one place of the stack for each.
 const NESTED: usize = DEEPEST / 4;
 
 /// A reader of formulas: operators by precedence (Pratt 1973), values to postfix.
@@ -16,7 +16,7 @@ pub(super) struct Parser<'a> {
     steps: Vec<Step>,
 }
 
-/// How tightly `+ -`, `* /`, a sign and `^` bind.
+/// The binding powers of `+ -`, `* /`, a sign and `^`.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const SIGN: u8 = 3;
@@ -60,12 +60,10 @@ impl<'a> Parser<'a> {
             return Err(self.wrong("the formula is nested too deeply", ""));
         }
         self.value()?;
-        while let Some((operation, _, right)) =
-            self.peek().and_then(operator).filter(|(_, binds, _)| *binds >= least)
-        {
+        while let Some(operator) = self.peek().and_then(Operator::of).filter(|next| next.binds >= least) {
             self.at += 1;
-            self.operators(right)?;
-            self.steps.push(Step::Two(operation));
+            self.operators(operator.right)?;
+            self.steps.push(Step::Two(operator.operation));
         }
         self.depth -= 1;
         Ok(())
@@ -143,14 +141,25 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// What an operator does, how tightly it binds, and how tightly what follows must.
-fn operator(c: char) -> Option<(Two, u8, u8)> {
-    match c {
-        '+' => Some((std::ops::Add::add, SUM, SUM + 1)),
-        '-' => Some((std::ops::Sub::sub, SUM, SUM + 1)),
-        '*' => Some((std::ops::Mul::mul, PRODUCT, PRODUCT + 1)),
-        '/' => Some((std::ops::Div::div, PRODUCT, PRODUCT + 1)),
-        '^' => Some((libm::pow, POWER, SIGN)),
-        _ => None,
+/// An operator between two values.
+struct Operator {
+    operation: Two,
+    /// Its binding power.
+    binds: u8,
+    /// The binding power of operators that belong to its right side.
+    right: u8,
+}
+
+impl Operator {
+    fn of(c: char) -> Option<Self> {
+        let (operation, binds, right): (Two, _, _) = match c {
+            '+' => (std::ops::Add::add, SUM, SUM + 1),
+            '-' => (std::ops::Sub::sub, SUM, SUM + 1),
+            '*' => (std::ops::Mul::mul, PRODUCT, PRODUCT + 1),
+            '/' => (std::ops::Div::div, PRODUCT, PRODUCT + 1),
+            '^' => (libm::pow, POWER, SIGN),
+            _ => return None,
+        };
+        Some(Self { operation, binds, right })
     }
 }

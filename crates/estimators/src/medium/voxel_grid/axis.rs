@@ -8,7 +8,14 @@ pub(super) fn hold(u: f64, top: f64) -> f64 {
     if u > top { top } else { u }
 }
 
-/// How the ray runs along one axis, in cells of the filter: cell k lies between the positions k and k + 1.
+/// A cell, and a place in it.
+pub(super) struct Located {
+    pub(super) cell: f64,
+    /// From 0 to 1.
+    pub(super) place: f64,
+}
+
+/// The course of the ray along one axis, in cells of the filter: cell k lies between the positions k and k + 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axis {
     /// Position at t = 0.
@@ -29,11 +36,11 @@ impl Axis {
 
     /// The cell at `t`, and the place in it from 0 to 1.
     #[inline(always)]
-    pub(super) fn locate(&self, t: f64) -> (f64, f64) {
+    pub(super) fn locate(&self, t: f64) -> Located {
         let u = hold(self.position(t), self.top);
         let near = (u + INTEGERS) - INTEGERS;
         let floor = if near > u { near - 1.0 } else { near };
         let cell = if floor > self.last { self.last } else { floor };
-        (cell, u - cell)
+        Located { cell, place: u - cell }
     }
 }

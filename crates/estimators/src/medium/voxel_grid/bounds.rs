@@ -27,7 +27,7 @@ impl Bounds {
         Ok(Self { low, extent })
     }
 
-    /// What the ray from `origin` along the `unit` vector has inside the box of `shape` voxels; `None` if it misses.
+    /// The part of the ray from `origin` along the `unit` vector inside the box of `shape` voxels; `None` if it misses.
     pub(super) fn enter(&self, shape: [usize; 3], origin: [f64; 3], unit: [f64; 3]) -> Option<Inside> {
         let n = shape.map(|n| n as f64);
         let slope = std::array::from_fn(|a| unit[a] / self.extent[a] * n[a]);
@@ -45,7 +45,7 @@ impl Bounds {
     }
 }
 
-/// Where the ray first lies between both faces of every axis, and the axis that says so; `None` if one never does.
+/// The place where the ray first lies between both faces of every axis, and the axis that says so; `None` if one never does.
 fn entry(start: [f64; 3], slope: [f64; 3], n: [f64; 3]) -> Option<(f64, usize)> {
     let mut near = (0.0, 0);
     for a in 0..3 {
@@ -61,7 +61,7 @@ fn entry(start: [f64; 3], slope: [f64; 3], n: [f64; 3]) -> Option<(f64, usize)> 
     Some(near)
 }
 
-/// Where the ray first leaves the faces of an axis.
+/// The place where the ray first leaves the faces of an axis.
 fn exit(start: [f64; 3], slope: [f64; 3], n: [f64; 3]) -> f64 {
     let mut far = f64::INFINITY;
     for a in (0..3).filter(|&a| slope[a] != 0.0) {

@@ -1,7 +1,7 @@
 use super::axis::hold;
 use super::cubic::{Cubic, widen};
 use super::filter::Filter;
-use super::line::Line;
+use super::line::{Corner, Line};
 
 /// mu between two knots, and the range that no look-up there leaves, whatever the place and the rounding.
 #[derive(Clone, Copy, Debug)]
@@ -9,7 +9,7 @@ pub(super) struct Cell {
     pub(super) mu: Cubic,
     least: f64,
     most: f64,
-    /// How far a look-up may lie from `mu` by rounding.
+    /// The most that a look-up may lie from `mu` by rounding.
     rounding: f64,
 }
 
@@ -23,10 +23,10 @@ impl Cell {
 
     /// The cell that starts at `start`, which every look-up before `end` reads.
     fn cubic(line: &Line, start: f64, end: f64) -> Self {
-        let (index, from) = line.locate(start);
+        let Corner { index, place: from } = line.locate(start);
         let to = std::array::from_fn(|a| {
             let axis = &line.axes()[a];
-            hold(hold(axis.position(end), axis.top) - axis.locate(start).0, 1.0)
+            hold(hold(axis.position(end), axis.top) - axis.locate(start).cell, 1.0)
         });
         let corners = line.corners(index);
         let none = (f64::INFINITY, f64::NEG_INFINITY);
@@ -45,7 +45,7 @@ impl Cell {
         Self { mu: Cubic::constant(mu), least: mu, most: mu, rounding: 0.0 }
     }
 
-    /// What look-ups from `from` to `to` of the cell can give.
+    /// The range of look-ups from `from` to `to` of the cell.
     pub(super) fn range(&self, from: f64, to: f64) -> (f64, f64) {
         let (low, high) = self.mu.range(from, to);
         let (low, high) = (low - self.rounding, high + self.rounding);

@@ -42,7 +42,7 @@ impl Cubic {
         s * (self.until(s).iter().sum::<f64>() / 4.0)
     }
 
-    /// Where the integral reaches `part`, from 0 to 1: Newton's method, with bisection where a step leaves the bracket.
+    /// The place where the integral reaches `part`, from 0 to 1: Newton's method, with bisection where a step leaves the bracket.
     pub(super) fn reach(&self, part: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         let mut s = hold(part / self.integral(1.0), 1.0);

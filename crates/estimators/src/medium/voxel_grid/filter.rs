@@ -1,7 +1,7 @@
 use super::axis::Axis;
 use std::ops::Range;
 
-/// How mu follows from the values around a point.
+/// The way in which mu follows from the values around a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Filter {

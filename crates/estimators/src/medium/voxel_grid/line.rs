@@ -4,9 +4,17 @@ use super::filter::Filter;
 use super::grid::Grid;
 use freepath_draws::simd;
 
-/// How many look-ups the three passes of a tile take together: small enough for the first cache.
+/// Look-ups that the three passes of a tile take together: small enough for the first cache.
 const PART: usize = 64;
 const NOWHERE: f64 = 2_147_483_648.0; // beyond every array
+
+/// The cell of a look-up.
+pub(super) struct Corner {
+    /// The number of its first corner.
+    pub(super) index: u32,
+    /// The place in the cell along each axis.
+    pub(super) place: [f64; 3],
+}
 
 /// The look-up along one ray, as a renderer makes it: locate the cell, gather its corners, blend.
 #[derive(Clone, Debug)]
@@ -32,7 +40,7 @@ impl Line {
 
     #[inline(always)]
     pub(super) fn mu(&self, t: f64) -> f64 {
-        let (index, place) = self.locate(t);
+        let Corner { index, place } = self.locate(t);
         match self.grid.filter() {
             Filter::Nearest => self.grid.rescale().extinction(self.grid.value(index as usize)),
             Filter::Trilinear => blend(&self.corners(index), place),
@@ -58,15 +66,15 @@ impl Line {
 
     /// The first corner of the cell at `t`, and the place in the cell along each axis. Without branches.
     #[inline(always)]
-    pub(super) fn locate(&self, t: f64) -> (u32, [f64; 3]) {
+    pub(super) fn locate(&self, t: f64) -> Corner {
         let (mut flat, mut place) = (0.0, [0.0; 3]);
         for ((axis, stride), place) in self.axes.iter().zip(self.strides).zip(&mut place) {
-            let cell;
-            (cell, *place) = axis.locate(t);
-            flat += cell * stride;
+            let located = axis.locate(t);
+            *place = located.place;
+            flat += located.cell * stride;
         }
         let inside = if flat >= 0.0 { flat } else { NOWHERE }; // NaN finds no voxel
-        ((inside + INTEGERS).to_bits() as u32, place)
+        Corner { index: (inside + INTEGERS).to_bits() as u32, place }
     }
 
     /// Addresses vectorise; the gather does not.
@@ -76,7 +84,7 @@ impl Line {
         let mut index = [0; PART];
         for (t, mu) in t.chunks(PART).zip(mu.chunks_mut(PART)) {
             for (index, &t) in index.iter_mut().zip(t) {
-                *index = self.locate(t).0;
+                *index = self.locate(t).index;
             }
             for (mu, &i) in mu.iter_mut().zip(&index) {
                 *mu = rescale.extinction(self.grid.value(i as usize));
@@ -92,9 +100,9 @@ impl Line {
         let mut place = [[0.0; PART]; 3];
         for (t, mu) in t.chunks(PART).zip(mu.chunks_mut(PART)) {
             for (i, &t) in t.iter().take(PART).enumerate() {
-                let at;
-                (index[i], at) = self.locate(t);
-                (place[0][i], place[1][i], place[2][i]) = (at[0], at[1], at[2]);
+                let corner = self.locate(t);
+                index[i] = corner.index;
+                (place[0][i], place[1][i], place[2][i]) = (corner.place[0], corner.place[1], corner.place[2]);
             }
             for (i, mu) in mu.iter_mut().take(PART).enumerate() {
                 *mu = blend(&self.corners(index[i]), [place[0][i], place[1][i], place[2][i]]);

@@ -5,19 +5,19 @@ use crate::kind::Ray;
 use freepath_draws::column::{AUXILIARY, COLLISIONS, T, WEIGHT};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
+use freepath_results::Reason;
 use freepath_statistics::CellIndex;
+use freepath_statistics::Law;
 use freepath_statistics::claim::{
     AuxiliaryClaim, BerkJonesClaim, Bounded, Claims, ColemanClaim, EnoughRows, InsideRay, LawAgreement, LawClaim,
-    LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim,
-    UnitWeightClaim, Vacuum, Withdrawal,
+    LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim, UnitWeightClaim,
+    Vacuum, Withdrawal,
 };
 use freepath_statistics::fold::{
     Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Ties, UnitWeight, Values,
 };
 use freepath_statistics::hypothesis::pair_probability;
-use freepath_statistics::Law;
 use freepath_statistics::tally::Scores;
-use freepath_results::Reason;
 use std::sync::Arc;
 
 /// Sets the streams of a ray in two parts apart from those of the whole.
@@ -216,7 +216,7 @@ impl<'a, 'b> Builder<'a, 'b> {
 
     /// A number that comes with each draw and says nothing of it.
     fn auxiliary(&mut self) {
-        let wanted = self.source.sampler().is_some_and(FreePathSampler::marked);
+        let wanted = self.source.sampler().is_some_and(FreePathSampler::has_auxiliary);
         if wanted && self.terms.stands(Withdrawal::Independent) {
             let scores = Arc::new(Scores::new(self.laws.followed()));
             let numbers = self.claims.folds.add(Auxiliary { column: AUXILIARY, scores, index: self.index });
