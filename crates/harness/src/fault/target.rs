@@ -40,11 +40,11 @@ impl Fault {
 }
 
 impl Target<'_> {
-    /// Only where there is something to lay it over.
+    /// Refuses a scene without that which `layer` is laid over.
     fn has(&self, layer: Layer) -> Result<(), String> {
         match (layer, self.medium, &self.mixture) {
             (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, None, _) => {
-                Err("it is laid over one extinction, not over channels".into())
+                Err("it is laid over one extinction along a ray, and there is none".into())
             }
             (Layer::Channels, _, None) => {
                 Err("it is laid over the weights of channels, and there are none".into())
@@ -55,7 +55,7 @@ impl Target<'_> {
         }
     }
 
-    /// Only over samplers that state `need`.
+    /// Refuses a sampler that does not state `need`.
     fn can(&self, need: Capability) -> Result<(), String> {
         let stated = self.capabilities.as_deref();
         let has = |all: &[Capability]| all.iter().any(|one| one.is_like(need));
@@ -75,7 +75,7 @@ impl Target<'_> {
         Err(format!("it is laid over samplers that {words} ({able}), not over {sampler}{otherwise}{hint}"))
     }
 
-    /// Only over a residual with this control.
+    /// Refuses a residual with another control.
     pub(super) fn has_control(&self, control: Control) -> Result<(), String> {
         let all = self.capabilities.iter().flatten();
         let own = all.filter_map(|one| if let Capability::Residual(own) = one { Some(*own) } else { None }).next();
@@ -88,13 +88,18 @@ impl Target<'_> {
         }
     }
 
-    /// Only over estimates.
+    /// Refuses draws that are no estimates.
     pub(super) fn draws_estimates(&self) -> Result<(), String> {
-        let why = || format!("it is laid over estimates, and {} draws distances", self.sampler);
+        let why = || format!("it is laid over estimates, and {} makes none here", self.sampler);
         if self.estimates { Ok(()) } else { Err(why()) }
     }
 
-    /// Only under one majorant for the whole ray, since the place of a word among others tells what it is for.
+    /// Refuses a scene without one extinction along a ray.
+    pub(super) fn crosses_a_medium(&self) -> Result<(), String> {
+        self.has(Layer::LookUps)
+    }
+
+    /// Refuses more than one majorant for the whole ray, since the place of a word among others tells what it is for.
     pub(super) fn under_one_majorant(&self) -> Result<(), String> {
         match self.medium.map(|medium| medium.majorants().ends().len()) {
             Some(n) if n != 1 => Err(format!("it needs one majorant for the whole ray, not {n} segments")),
@@ -102,7 +107,7 @@ impl Target<'_> {
         }
     }
 
-    /// Only in a medium of constant cells.
+    /// Refuses a medium without constant cells.
     pub(super) fn has_constant_cells(&self) -> Result<(), String> {
         if self.medium.is_some_and(|medium| medium.cells() == Cells::Constant) {
             Ok(())
@@ -111,7 +116,7 @@ impl Target<'_> {
         }
     }
 
-    /// Only where channel `channel` exists.
+    /// Refuses a channel that is not there.
     pub(super) fn has_channel(&self, channel: usize) -> Result<(), String> {
         match self.mixture.as_ref().map(|mixture| mixture.channels().len()) {
             Some(n) if channel >= n => Err(format!("there is no channel {channel} (0 to {})", n - 1)),

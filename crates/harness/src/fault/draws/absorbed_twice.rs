@@ -22,7 +22,8 @@ impl Injection for AbsorbedTwice {
         not_negative("mu_a", self.mu_a).map(drop)
     }
     fn accepts(&self, target: &Target) -> Result<(), String> {
-        target.draws_estimates()
+        target.draws_estimates()?;
+        target.crosses_a_medium()
     }
     fn corrupt_draws(&self, context: &BlockContext, draws: &mut Draws) -> Result<(), MissingColumn> {
         let factor = libm::exp(-self.mu_a * context.length);
