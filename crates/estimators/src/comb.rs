@@ -9,7 +9,7 @@ const MOST_STEPS: usize = 100_000_000;
 /// Points of one look-up tile.
 pub(crate) const TILE: usize = 256;
 
-/// A number of steps, 1 to [`MOST_STEPS`].
+/// A number of steps, 1 to 100,000,000.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
 )]
@@ -20,7 +20,7 @@ impl Steps {
     /// So many steps.
     ///
     /// # Errors
-    /// If there are none, or more than [`MOST_STEPS`].
+    /// If there are none, or more than 100,000,000.
     pub fn new(steps: usize) -> Result<Self, ParameterError> {
         let allowed = steps >= 1 && steps <= MOST_STEPS;
         parameter::require(allowed, "steps", steps, &format!("1 to {MOST_STEPS}")).map(Self)
