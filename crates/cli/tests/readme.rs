@@ -185,3 +185,21 @@ fn every_link_leads_somewhere() {
         }
     }
 }
+
+/// The crates in the page on the architecture: its table names each crate of `crates/` with its folder, and no other.
+#[test]
+fn the_architecture_names_every_crate_and_every_folder_that_it_names_is_there() {
+    let page = text("docs/architecture.md");
+    let crates = fs::read_dir(root().join("crates")).unwrap();
+    let folders = crates.map(|entry| format!("crates/{}", entry.unwrap().file_name().display()));
+    let there: BTreeSet<String> = folders.collect();
+    let quoted = page.split('`').skip(1).step_by(2);
+    let named: BTreeSet<String> = quoted.filter(|word| word.starts_with("crates/")).map(String::from).collect();
+    assert_eq!(named, there);
+    let folders =
+        page.split('`').skip(1).step_by(2).filter(|word| word.ends_with('/') && !word.starts_with("crates/"));
+    for folder in folders {
+        let places = [root(), root().join("crates/harness/src")];
+        assert!(places.iter().any(|place| place.join(folder).is_dir()), "{folder}");
+    }
+}
