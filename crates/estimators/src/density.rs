@@ -3,11 +3,13 @@
 use crate::parameter::ParameterError;
 use freepath_draws::{Draws, NumbersMut, Streams};
 
+mod curve;
 mod newton_bisection;
 mod rejection;
 mod target;
 
-pub use target::{Atom, Curve, Target};
+pub use curve::{Atom, Curve};
+pub use target::Target;
 
 /// The column of the numbers that are drawn.
 pub const X: &str = "x";

@@ -9,6 +9,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
+mod refusals;
+mod single;
+
 const CASE: &str = r#"{
   "title": "A slab",
   "medium": { "constant": { "mu": 1.5, "length": 2.0 } },
@@ -127,74 +130,6 @@ fn standard_input_is_read_in_both_stages() {
     assert!(err.contains("cannot read standard input: it is not a .npy file"), "{err}");
 }
 
-#[test]
-fn what_cannot_be_judged_is_refused_in_one_line() {
-    let folder = ready("check_refused");
-    put(&folder, "text.csv", "t\n0.5\nsecret\n");
-    put(&folder, "empty.txt", "");
-    put(&folder, "cut.npy", "\u{93}NUMPY");
-    for (args, part) in [
-        (&["absent.csv"][..], "cannot read absent.csv: "),
-        (&["text.csv"], "cannot read text.csv: line 3, column 1 is not a number ("),
-        (&["empty.txt"], "cannot read empty.txt: it is empty ("),
-        (&["cut.npy"], "cannot read cut.npy: it is not a .npy file ("),
-        (&["cases"], "cannot read cases: its name does not tell its format ("),
-        (&["cases", "--format", "f64"], "cannot read cases: it is not a regular file ("),
-        (&["mine.csv", "--column", "x"], "it has no column \"x\" ("),
-        (&["mine.csv", "--weight", "w"], "it has no column \"w\" ("),
-        (&["mine.csv", "--draws", "60001"], "it holds 60000 draws, not 60001 ("),
-        (&["mine.csv", "--ray", "0"], "cannot find ray 0 of cases/slab.json: it has 0"),
-        (&["mine.csv", "--tolerance", "-1"], "tolerance must be from 0 to below 1, not -1"),
-        (&["mine.csv", "--tolerance", "2"], "tolerance must be from 0 to below 1, not 2"),
-        (&["mine.csv", "--resolution-bits", "99"], "resolution_bits must be from 8 to 53, not 99"),
-    ] {
-        let (code, out, err) = check(&folder, args);
-        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
-        assert!(err.starts_with("error: ") && err.contains(part), "{part} is not in: {err}");
-        assert!(err.lines().count() == 1 && !err.contains("secret"), "{err}");
-    }
-    for args in [
-        &["mine.csv", "--case", "cases/slab.json"][..],
-        &["mine.csv", "--as", "free_path"],
-        &["mine.csv", "--case", "cases/slab.json", "--as", "walk"],
-        &["mine.csv", "--case", "cases/slab.json", "--as", "free_path", "--escape", "never"],
-        &["mine.csv", "--case", "cases/slab.json", "--as", "transmittance", "--weight", "t"],
-        &["mine.csv", "--case", "cases/slab.json", "--as", "chromatic"],
-        &["mine.csv", "--case", "cases/slab.json", "--as", "chromatic", "--column", "t"],
-    ] {
-        let (code, out, err) = run(&folder, &[&["check"], args].concat());
-        assert_eq!((code, out.as_str()), (2, ""), "{args:?}: {err}");
-        assert!(err.starts_with("error: "), "{err}");
-    }
-    assert!(!folder.join("reports").exists());
-}
-
-#[cfg(unix)]
-#[test]
-fn what_may_not_be_read_is_refused() {
-    use std::os::unix::fs::PermissionsExt;
-    let folder = ready("check_permissions");
-    std::os::unix::fs::symlink("nowhere.csv", folder.join("dangling.csv")).unwrap();
-    std::os::unix::fs::symlink("../mine.csv", folder.join("cases/outside.csv")).unwrap();
-    let refused = |(code, out, err): (i32, String, String), part: &str| {
-        assert_eq!((code, out.as_str()), (2, ""));
-        assert!(err.contains(part), "{part} is not in: {err}");
-    };
-    refused(check(&folder, &["dangling.csv"]), "cannot read dangling.csv: No such file or directory");
-    refused(check(&folder, &["mine.csv/inner.csv"]), "cannot read mine.csv/inner.csv: Not a directory");
-    let file = folder.join("mine.csv");
-    fs::set_permissions(&file, fs::Permissions::from_mode(0o000)).unwrap();
-    // Root may read whatever it likes.
-    if fs::File::open(&file).is_err() {
-        refused(check(&folder, &["mine.csv"]), "cannot read mine.csv: Permission denied");
-    }
-    fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
-    let subject = r#"{ "free_path": { "samples": { "file": "outside.csv" } } }"#;
-    put(&folder, "cases/slab.json", &CASE.replace(r#"{ "free_path": { "exact": {} } }"#, subject));
-    refused(run(&folder, &["run"]), "inside the folder of the case file (or run with --allow-paths)");
-    assert_eq!(run(&folder, &["run", "--allow-paths"]).0, 0);
-}
-
 #[cfg(unix)]
 #[test]
 fn standard_input_that_is_nothing_to_read_is_a_subject_error() {
@@ -264,36 +199,4 @@ fn samples_belong_to_one_ray() {
     assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.starts_with("ok  pass  free_path  samples mine.csv  slab"), "{out}");
     assert_eq!(check(&folder, &["mine.csv", "--ray", "2"]).0, 2);
-}
-
-/// Free paths in the slab as a program in single precision draws them by inversion, from uniforms of 24 bits.
-fn single(n: usize) -> impl Iterator<Item = f32> {
-    let mut rng = Key { seed: 1, subject: 7, block: 0 }.rng();
-    let path = move |_| {
-        let word = rand::Rng::next_u64(&mut rng);
-        [word >> 40, word & 0xff_ffff].map(|u| {
-            let t = -libm::logf(1.0 - u as f32 / 16_777_216.0) / 1.5;
-            if t < 2.0 { t } else { f32::INFINITY }
-        })
-    };
-    (0..n.div_ceil(2)).flat_map(path).take(n)
-}
-
-/// They take at most 16 million values, so that most repeat, and each is rounded: what the type implies allows for both.
-#[test]
-fn a_right_sampler_in_single_precision_passes_at_a_hundred_million_draws() {
-    const N: usize = 100_000_000;
-    let folder = ready("check_single");
-    let header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': ({N},), }}\n");
-    let length = [u8::try_from(header.len()).unwrap(), 0];
-    let args =
-        ["check", "-", "--format", "npy", "--draws", "1e8", "--case", "cases/slab.json", "--as", "free_path"];
-    let mut command = freepath(&folder, &args);
-    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    let mut stdin = std::io::BufWriter::with_capacity(1 << 16, child.stdin.take().unwrap());
-    stdin.write_all(&[b"\x93NUMPY\x01\x00".as_slice(), &length, header.as_bytes()].concat()).unwrap();
-    single(N).for_each(|t| stdin.write_all(&t.to_le_bytes()).unwrap());
-    drop(stdin);
-    let (code, out, err) = decoded(&child.wait_with_output().unwrap());
-    assert_eq!((code, err.as_str()), (0, ""), "{out}");
 }

@@ -1,41 +1,10 @@
 //! The law that a sampler of a density should follow.
 
+use super::curve::{Atom, Curve, Table, ends, slopes};
 use crate::extinction::Medium;
-use crate::medium::{Expression, PiecewiseConstant, PiecewiseLinear, numeric};
+use crate::medium::{Expression, PiecewiseLinear, numeric};
 use crate::parameter::{ParameterError, require};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-
-/// A function of x: a formula, or a table between whose rows it is linear.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum Curve {
-    /// A formula in x, such as `6*x*(1 - x)`.
-    Formula(String),
-    /// A table.
-    Table(Table),
-}
-
-/// Values at places, linear between them.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Table {
-    /// Where, increasing from one end of the domain to the other.
-    pub x: Vec<f64>,
-    /// The value at each place.
-    pub y: Vec<f64>,
-}
-
-/// A number that is drawn with a probability of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Atom {
-    /// The number.
-    pub at: f64,
-    /// Its probability.
-    pub mass: f64,
-}
 
 /// A density and atoms on a domain, whose masses add up to 1.
 ///
@@ -243,12 +212,6 @@ fn length([a, b]: [f64; 2]) -> Result<f64, ParameterError> {
     require(holds, "domain", b - a, "two finite numbers, the least first")
 }
 
-fn ends(name: &'static str, x: &[f64], [a, b]: [f64; 2]) -> Result<(), ParameterError> {
-    let same = |x: Option<&f64>, end: f64| x.is_some_and(|x| x.total_cmp(&end).is_eq());
-    let holds = same(x.first(), a) && same(x.last(), b);
-    require(holds, name, "other places", "a table from one end of the domain to the other").map(drop)
-}
-
 fn formula(name: &'static str, text: &str) -> Result<Expression, ParameterError> {
     Expression::new(text, "x").map_err(|why| ParameterError::unusable(name, why))
 }
@@ -256,17 +219,6 @@ fn formula(name: &'static str, text: &str) -> Result<Expression, ParameterError>
 /// Places across the domain, both ends among them.
 fn places([a, b]: [f64; 2]) -> impl Iterator<Item = f64> {
     (0..=PLACES).map(move |i| if i == PLACES { b } else { a + (b - a) * f64::from(i) / f64::from(PLACES) })
-}
-
-/// The density under a distribution function that is linear between the rows of a table.
-fn slopes(x: &[f64], y: &[f64]) -> Result<PiecewiseConstant, ParameterError> {
-    require(x.len() == y.len(), "cdf", y.len(), "as many values as places")?;
-    let start = y.first().copied().unwrap_or(f64::NAN);
-    require(start == 0.0, "cdf", start, "0 at the start of the domain")?;
-    let edges = x.iter().map(|at| at - x[0]).collect();
-    let slope = |(x, y): (&[f64], &[f64])| (y[1] - y[0]) / (x[1] - x[0]);
-    let values = x.windows(2).zip(y.windows(2)).map(slope).collect();
-    PiecewiseConstant::new(edges, values).map_err(|why| ParameterError::unusable("cdf", why))
 }
 
 fn increases(target: &Target) -> Result<(), ParameterError> {
@@ -283,66 +235,4 @@ fn increases(target: &Target) -> Result<(), ParameterError> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const BETA: &str = "6*x*(1 - x)";
-
-    fn of_pdf(text: &str, domain: [f64; 2], atoms: &[Atom]) -> Result<Target, ParameterError> {
-        Target::of_pdf(&Curve::Formula(text.into()), domain, &[], atoms)
-    }
-
-    fn refusal(text: &str, domain: [f64; 2], atoms: &[Atom]) -> String {
-        of_pdf(text, domain, atoms).err().map(|why| why.to_string()).unwrap_or_default()
-    }
-
-    #[test]
-    fn a_density_and_its_distribution_function_are_one_target() {
-        let pdf = of_pdf("x/2", [0.0, 2.0], &[]).unwrap();
-        let cdf = Target::of_cdf(&Curve::Formula("x^2/4".into()), [0.0, 2.0], &[]).unwrap();
-        for (x, mass) in [(0.1, 1.0 / 400.0), (0.8, 0.16), (1.0, 0.25)] {
-            assert!(
-                (pdf.continuous_mass(x) - mass).abs() < 1e-12 && (cdf.continuous_mass(x) - mass).abs() < 1e-15
-            );
-            assert!((pdf.quantile(mass) - x).abs() < 1e-9 && (cdf.quantile(mass) - x).abs() < 1e-12);
-        }
-        assert_eq!((cdf.pdf(1.0), pdf.pdf(1.0), pdf.pdf(2.5)), (None, Some(0.5), Some(0.0)));
-    }
-
-    #[test]
-    fn tables_start_anywhere_and_atoms_come_last() {
-        let hat = Curve::Table(Table { x: vec![-1.0, 0.0, 1.0], y: vec![0.0, 0.75, 0.0] });
-        let atoms = [Atom { at: -1.0, mass: 0.1 }, Atom { at: 0.5, mass: 0.15 }];
-        let target = Target::of_pdf(&hat, [-1.0, 1.0], &[], &atoms).unwrap();
-        assert!((target.quantile(0.375) - 0.0).abs() < 1e-12);
-        assert_eq!((target.quantile(0.8), target.quantile(0.9)), (-1.0, 0.5));
-        assert_eq!((target.pdf(0.5), target.pdf(0.0)), (Some(0.15), Some(0.75)));
-        let ramp = Curve::Table(Table { x: vec![0.0, 1.0, 3.0], y: vec![0.0, 0.5, 1.0] });
-        let target = Target::of_cdf(&ramp, [0.0, 3.0], &[]).unwrap();
-        assert_eq!((target.pdf(0.5), target.pdf(2.0)), (Some(0.5), Some(0.25)));
-    }
-
-    #[test]
-    fn mass_is_seen_to_the_ends_and_not_in_a_gap() {
-        let beta = of_pdf(BETA, [0.0, 1.0], &[]).unwrap();
-        assert!([0.0, 0.5, 1.0 - 1e-16, 1.0].iter().all(|&x| beta.has_mass(x)));
-        assert!([-0.1, 1.1, f64::NAN, f64::INFINITY].iter().all(|&x| !beta.has_mass(x)));
-        let x = vec![0.0, 1.0, 2.0, 3.0];
-        let gap = Curve::Table(Table { x, y: vec![0.0, 0.5, 0.5, 1.0] });
-        let target = Target::of_cdf(&gap, [0.0, 3.0], &[]).unwrap();
-        assert!(target.has_mass(0.5) && target.has_mass(1.0) && !target.has_mass(1.5));
-    }
-
-    #[test]
-    fn what_is_no_law_is_refused() {
-        assert!(refusal("x", [0.0, 1.0], &[]).starts_with("pdf must be one whose mass is 1"));
-        assert!(refusal("x - 0.5", [0.0, 1.0], &[]).contains("not -0.5 at x = 0"));
-        assert!(refusal("t", [0.0, 1.0], &[]).contains("unknown name `t` at column 1 (x, pi"));
-        assert!(refusal(BETA, [1.0, 1.0], &[]).starts_with("domain must be two finite numbers"));
-        assert!(refusal(BETA, [0.0, f64::NAN], &[]).starts_with("domain"));
-        assert!(refusal(BETA, [0.0, 1.0], &[Atom { at: 2.0, mass: 0.5 }]).starts_with("atoms must be increasing"));
-        assert!(refusal(BETA, [0.0, 1.0], &[Atom { at: 0.5, mass: f64::NAN }]).starts_with("atoms must be"));
-        let down = Target::of_cdf(&Curve::Formula("1 - (1 - 2*x)^2".into()), [0.0, 1.0], &[]);
-        assert!(down.is_err());
-    }
-}
+mod tests;

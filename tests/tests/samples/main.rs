@@ -8,6 +8,9 @@ use freepath_statistics::special::binomial_sf;
 use freepath_tests::results;
 use std::path::{Path, PathBuf};
 
+mod runs;
+mod shipped;
+
 const CONSTANT: &str = r#"{ "constant": { "mu": 1.5, "length": 2.1 } }"#;
 const MU: f64 = 1.5;
 const LENGTH: f64 = 2.1;
@@ -209,108 +212,4 @@ fn chromatic_rows_are_told_right_from_wrong() {
     put(&folder, "c.csv", b"t,event,w0,w1\n2.2,scatter,1,1\n-1,0,1,1\nnan,scatter,1,1\n");
     let stray = judged(&folder, medium, subject);
     assert_eq!(stray.reasons, [Reason::NonFinite, Reason::OutOfSupport], "{:?}", stray.notes);
-}
-
-#[test]
-fn a_handful_of_draws_is_no_pass() {
-    let folder = folder("few");
-    for n in [1, 2, 3, 2997] {
-        put_f64(&folder, "t.f64", &paths(11, n, 1.0));
-        let few = judged(&folder, CONSTANT, FREE_PATH);
-        assert_eq!((few.verdict, few.reasons), (Verdict::Inconclusive, vec![Reason::NotEnoughDraws]), "{n}");
-    }
-    put_f64(&folder, "t.f64", &paths(11, 2998, 1.0));
-    assert_eq!(judged(&folder, CONSTANT, FREE_PATH).verdict, Verdict::Pass);
-}
-
-#[test]
-fn tests_keep_their_level_at_any_number_of_rows() {
-    let folder = folder("level");
-    for rows in [30, 4_000, 40_000] {
-        let mut all: std::collections::BTreeMap<String, Vec<f64>> = std::collections::BTreeMap::new();
-        for seed in 0..150 {
-            put_f64(&folder, "t.f64", &paths(seed, rows, 1.0));
-            for test in judged(&folder, CONSTANT, FREE_PATH).tests {
-                all.entry(test.name).or_default().extend(test.p.map(|p| p.0));
-            }
-        }
-        assert!(all.values().any(|p| p.len() == 300), "both stages are tested");
-        for (name, p) in all {
-            for level in [0.01, 0.1, 0.5] {
-                let below = p.iter().filter(|p| !(**p > level)).count() as u64;
-                let chance = binomial_sf(p.len() as u64, level, below);
-                assert!(chance > 1e-6, "{name} of {rows} rows: {below} of {} p-values below {level}", p.len());
-            }
-        }
-    }
-}
-
-#[test]
-fn results_have_the_same_bytes_for_any_number_of_threads() {
-    let folder = folder("threads");
-    put_f64(&folder, "t.f64", &paths(12, 1_000_003, 1.0));
-    let rows: String = paths(13, 150_001, 1.0).iter().map(|t| format!("{t:e} {:e}\n", t * 0.7)).collect();
-    put(&folder, "w.txt", rows.as_bytes());
-    let subjects = format!(
-        r#"{FREE_PATH}, {{ "transmittance": {{ "samples": {{ "file": "t.f64" }} }} }},
-        {{ "free_path": {{ "samples": {{ "file": "w.txt", "column": "0", "weight": "1" }} }} }}"#
-    );
-    let bytes = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-        let cases = prepared(&folder, CONSTANT, &subjects);
-        pool.install(|| serde_json::to_string(&results(&cases, 1)).expect("results are JSON"))
-    };
-    let one = bytes(1);
-    for threads in [2, 3, 7] {
-        assert!(bytes(threads) == one, "{threads} threads give other bytes");
-    }
-}
-
-#[test]
-fn a_source_that_breaks_off_is_a_subject_error() {
-    let folder = folder("breaks");
-    put_f64(&folder, "t.f64", &paths(14, 100_000, 1.0));
-    let cases = prepared(&folder, CONSTANT, FREE_PATH);
-    put_f64(&folder, "t.f64", &paths(14, 20_000, 1.0));
-    let broken = results(&cases, 1).results.remove(0);
-    assert_eq!((broken.verdict, broken.reasons), (Verdict::Fail, vec![Reason::SubjectError]));
-    assert!(broken.notes[0].contains("it ends after 20000 of 100000 draws"), "{:?}", broken.notes);
-}
-
-/// Delta tracking in single precision, as a program on a graphics card does it, in the medium of `cases/samples.json`.
-fn tracked(n: usize) -> Vec<f32> {
-    let mut rng = Key { seed: 49_152, subject: 0, block: 0 }.rng();
-    let mut next = || (uniform(&mut rng) * 16_777_216.0).floor() as f32 / 16_777_216.0;
-    let mu = |t: f32| 4.0 * libm::expf(-0.5 * ((t - 0.9) / 0.25) * ((t - 0.9) / 0.25));
-    let mut path = || {
-        let mut t = 0.0;
-        loop {
-            t -= libm::logf(1.0 - next()) / 4.0;
-            if t >= 2.0 {
-                return f32::INFINITY;
-            }
-            if next() * 4.0 < mu(t) {
-                return t;
-            }
-        }
-    };
-    (0..n).map(|_| path()).collect()
-}
-
-fn shipped() -> (PathBuf, Vec<u8>) {
-    let bytes: Vec<u8> = tracked(49_152).iter().flat_map(|t| t.to_le_bytes()).collect();
-    (freepath_tests::root().join("cases/data/free_paths_f32.npy"), npy("<f4", "(49152,)", &bytes))
-}
-
-#[test]
-#[ignore = "writes the shipped file of samples"]
-fn write_the_shipped_samples() {
-    let (path, bytes) = shipped();
-    std::fs::write(path, bytes).expect("a file");
-}
-
-#[test]
-fn the_shipped_samples_are_those_that_are_made_here() {
-    let (path, bytes) = shipped();
-    assert!(std::fs::read(path).is_ok_and(|file| file == bytes), "run `write_the_shipped_samples`");
 }

@@ -1,0 +1,57 @@
+use super::Output;
+use crate::number;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use freepath_formats::Format;
+use freepath_harness::kind::KINDS;
+use freepath_harness::samples::Escape;
+use std::path::PathBuf;
+
+/// `freepath check`.
+#[derive(Args, Debug)]
+pub(crate) struct Check {
+    /// A file of samples that any program has drawn: .npy, .csv, .txt or .f64; `-` is standard input.
+    #[arg(value_name = "SAMPLES", allow_hyphen_values = true)]
+    pub(crate) samples: String,
+    /// The case whose medium they were drawn in; its subjects are left out.
+    #[arg(long, value_name = "CASE")]
+    pub(crate) case: PathBuf,
+    /// What they are.
+    #[arg(long = "as", value_name = "KIND", value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name)))]
+    pub(crate) kind: String,
+    /// The column of the draws, by name or by number from 0 [default: the only one].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) column: Option<String>,
+    /// The column of the statistical weights of free paths.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) weight: Option<String>,
+    /// Which free paths are escapes: those at infinity, or those at the length of the ray or beyond.
+    #[arg(long, value_name = "AT", value_parser = named::<Escape>, default_value = "infinity")]
+    pub(crate) escape: Escape,
+    /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
+    #[arg(long, value_name = "FORMAT", value_parser = named::<Format>)]
+    pub(crate) format: Option<Format>,
+    /// Judge so many draws, from the first on [default: all]; needed on standard input.
+    #[arg(long, value_name = "N", value_parser = number::draws)]
+    pub(crate) draws: Option<u64>,
+    /// Samples may be off by so much in every claim [default: the case's, else 6e-8 if they are float32, else 0].
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) tolerance: Option<f64>,
+    /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
+    #[arg(long, value_name = "N")]
+    pub(crate) resolution_bits: Option<u32>,
+    /// The ray that they were drawn along, from 0, if the case has several.
+    #[arg(long, value_name = "I")]
+    pub(crate) ray: Option<usize>,
+    /// Let the case name files outside its own folder.
+    #[arg(long)]
+    pub(crate) allow_paths: bool,
+    /// Where results go.
+    #[command(flatten)]
+    pub(crate) output: Output,
+}
+
+/// A value that a case would name.
+fn named<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_value(text.into()).map_err(|why| why.to_string())
+}
