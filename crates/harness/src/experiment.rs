@@ -3,11 +3,9 @@
 
 use crate::fault::{ChannelMixture, Fault};
 use crate::samples::SampleSource;
-use crate::subject::Route;
-use freepath_draws::random::UNIFORM_BITS;
 use freepath_draws::{Draws, Row, Streams};
 use freepath_statistics::Fact;
-use freepath_statistics::claim::{BiasBound, Claims, Withdrawal};
+use freepath_statistics::claim::Claims;
 use freepath_statistics::fold::{Folds, LookupWatch};
 use freepath_statistics::tally::Audit;
 use std::cell::RefCell;
@@ -16,55 +14,13 @@ mod functional;
 mod in_scene;
 mod placed;
 mod probe;
+mod terms;
 
 pub use functional::Functional;
 pub use in_scene::{InScene, Source};
 pub use placed::{Owned, Placed, PlacedSource};
 pub use probe::Probe;
-
-/// How far the claims on a subject go: what its case, its file or its author says of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Terms<'a> {
-    /// How far every claim may be off.
-    pub tolerance: f64,
-    /// Bits of its uniforms.
-    pub bits: u32,
-    /// Draws of stage 1.
-    pub draws: u64,
-    /// Draws of a block.
-    pub rows: usize,
-    /// Draws at which growth ends.
-    pub budget: u64,
-    /// What growth aims at.
-    pub bias_bound: Option<BiasBound>,
-    /// Claims withdrawn.
-    pub without: &'a [Withdrawal],
-    /// Which method is driven.
-    pub route: Route,
-}
-
-impl Default for Terms<'_> {
-    fn default() -> Self {
-        Self {
-            tolerance: 0.0,
-            bits: UNIFORM_BITS,
-            draws: crate::subject::DRAWS,
-            rows: crate::subject::BLOCK,
-            budget: 64 * crate::subject::DRAWS,
-            bias_bound: None,
-            without: &[],
-            route: Route::Block,
-        }
-    }
-}
-
-impl Terms<'_> {
-    /// Whether what `withdrawal` would take back still stands.
-    #[must_use]
-    pub fn stands(&self, withdrawal: Withdrawal) -> bool {
-        !self.without.contains(&withdrawal)
-    }
-}
+pub use terms::{DRAWS, Route, Terms};
 
 /// What a block is drawn with.
 pub struct DrawContext<'a> {

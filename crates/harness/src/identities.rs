@@ -44,10 +44,10 @@ pub(crate) use zero_variance::zero_variance;
 /// Every identity that `subject` violates: those of its scene, those that hold for all, those of its kind.
 #[must_use]
 pub fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
-    let probe = Probe { subject, seed };
+    let probe = Probe { terms: subject.terms(), block: &|block, rows| rows::draw(subject, seed, block, rows) };
     let mut facts = subject.experiment.scene_facts();
-    facts.extend(reproducible::fact(&probe));
-    facts.extend(history::fact(&probe));
+    facts.extend(reproducible::fact(subject, seed));
+    facts.extend(history::fact(subject, seed));
     facts.extend(subject.experiment.facts(&probe));
     facts
 }

@@ -6,22 +6,10 @@ use freepath_draws::random::UNIFORM_BITS;
 use freepath_statistics::claim::{BiasBound, Design, Withdrawal};
 
 pub use crate::blocks::BLOCK;
-
-/// Draws of stage 1 unless a case says otherwise.
-pub const DRAWS: u64 = 1_000_000;
+pub use crate::experiment::{DRAWS, Route};
 
 /// Look-ups and random words that a block may take, per draw.
 pub const BUDGET_PER_DRAW: u64 = 2_000_000;
-
-/// Which of a subject's methods is driven.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Route {
-    /// The block method: the tile engine where there is one.
-    #[default]
-    Block,
-    /// The scalar method, one draw at a time.
-    Scalar,
-}
 
 /// A subject in a scene.
 #[derive(Clone)]

@@ -1,6 +1,6 @@
 use crate::experiment::Probe;
-use crate::kind::Ray;
 use freepath_draws::column;
+use freepath_estimators::Medium;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
 use freepath_statistics::check::Check;
@@ -17,8 +17,8 @@ collides and none if it escapes.",
 /// Walks that are looked at.
 const ROWS: usize = 256;
 
-/// Walks under a majorant that is mu itself, with other counts than 1 and 0.
-pub(crate) fn counts(Ray { truth, seen }: Ray, probe: &Probe) -> Option<Fact> {
+/// Walks through `truth`, as it is `seen` under a majorant that is mu itself, with other counts than 1 and 0.
+pub(crate) fn counts(truth: &dyn Medium, seen: &dyn Medium, probe: &Probe) -> Option<Fact> {
     let (length, depth) = (truth.length(), truth.majorants().depth(truth.length()));
     let tight = (depth - truth.tau(length)).abs() <= 1e-13 * depth && seen.majorants() == truth.majorants();
     if !tight || truth.tau_error() > 0.0 {

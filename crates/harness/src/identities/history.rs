@@ -1,5 +1,4 @@
-use super::rows::bits;
-use crate::experiment::Probe;
+use super::rows::{bits, draw};
 use crate::subject::{Route, Subject};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
@@ -18,10 +17,9 @@ backwards, from a fresh subject and from a used one.",
 const DRAWS: u64 = 24;
 
 /// The same draws in another order are the same draws: state of a finished history must not leak into the next.
-pub(super) fn fact(probe: &Probe) -> Option<Fact> {
-    let subject = Subject { route: Route::Scalar, ..probe.subject.clone() };
-    let alone = Probe { subject: &subject, seed: probe.seed };
-    let one = |i| alone.draw(1000 + i, 1).map(|draws| bits(&draws));
+pub(super) fn fact(subject: &Subject, seed: u64) -> Option<Fact> {
+    let alone = Subject { route: Route::Scalar, ..subject.clone() };
+    let one = |i| draw(&alone, seed, 1000 + i, 1).map(|draws| bits(&draws));
     let forwards: Vec<_> = (0..DRAWS).map(one).collect::<Option<_>>()?;
     let mut backwards: Vec<_> = (0..DRAWS).rev().map(one).collect::<Option<_>>()?;
     backwards.reverse();

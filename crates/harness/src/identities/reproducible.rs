@@ -1,5 +1,4 @@
-use super::rows::bits;
-use crate::experiment::Probe;
+use super::rows::{bits, draw};
 use crate::subject::{Route, Subject};
 use freepath_results::Reason;
 use freepath_statistics::Fact;
@@ -36,22 +35,19 @@ const THREADS: u64 = 4;
 pub(crate) const CHANCE: f64 = 1e-15;
 
 /// What the same seed twice, four threads at once and two seeds have to say, by each method.
-pub(super) fn fact(probe: &Probe) -> Option<Fact> {
-    let routes = if probe.subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
-    routes.iter().find_map(|&route| {
-        let subject = Subject { route, ..probe.subject.clone() };
-        of_route(&Probe { subject: &subject, seed: probe.seed })
-    })
+pub(super) fn fact(subject: &Subject, seed: u64) -> Option<Fact> {
+    let routes = if subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
+    routes.iter().find_map(|&route| of_route(&Subject { route, ..subject.clone() }, seed))
 }
 
-fn of_route(probe: &Probe) -> Option<Fact> {
-    let block = |i| probe.draw(i, ROWS).map(|draws| bits(&draws));
+fn of_route(subject: &Subject, seed: u64) -> Option<Fact> {
+    let block = |i| draw(subject, seed, i, ROWS).map(|draws| bits(&draws));
     let alone: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
     let again: Vec<_> = (0..THREADS).map(block).collect::<Option<_>>()?;
     if alone != again {
         return Some(Fact::new(CHECK.name, Reason::NotReproducible, "the same seed twice gave other draws"));
     }
-    if alone != at_once(probe)? {
+    if alone != at_once(subject, seed)? {
         let words = format!("{THREADS} threads at once gave other draws than one");
         return Some(Fact::new(CHECK.name, Reason::NotReproducible, words));
     }
@@ -67,11 +63,11 @@ fn of_route(probe: &Probe) -> Option<Fact> {
 }
 
 /// The blocks of [`of_route`] from as many threads, started together.
-fn at_once(probe: &Probe) -> Option<Vec<Vec<Vec<u64>>>> {
+fn at_once(subject: &Subject, seed: u64) -> Option<Vec<Vec<Vec<u64>>>> {
     let together = Barrier::new(THREADS as usize);
     let block = |i| {
         together.wait();
-        probe.draw(i, ROWS).map(|draws| bits(&draws))
+        draw(subject, seed, i, ROWS).map(|draws| bits(&draws))
     };
     thread::scope(|scope| {
         let workers: Vec<_> = (0..THREADS).map(|i| scope.spawn(move || block(i))).collect();

@@ -24,7 +24,7 @@ pub(crate) fn zero_variance(variance: Option<f64>, expected: f64, probe: &Probe)
     let draws = probe.draw(2000, ROWS)?;
     let weights = draws.f64(column::WEIGHT).ok()?;
     let first = weights[0];
-    let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + probe.subject.tolerance;
+    let same = |&weight: &f64| (weight - first).abs() <= 1e-9 * expected.abs() + probe.terms().tolerance;
     let other = weights.iter().find(|weight| !same(weight))?;
     let words = format!("estimates are {first:e} and {other:e} where there can be no noise");
     Some(Fact::new(CHECK.name, Reason::WrongVariance, words))

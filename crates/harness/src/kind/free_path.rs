@@ -125,7 +125,7 @@ impl Kind for FreePathKind {
         let claims = source.sampler().map(|sampler| sampler.claims(ray.truth));
         let known = terms.stands(Withdrawal::Lookups) && terms.stands(Withdrawal::Truth);
         let coleman = claims.is_some_and(|claims| claims.coleman && known);
-        if coleman { identities::counts(ray, probe).into_iter().collect() } else { Vec::new() }
+        if coleman { identities::counts(ray.truth, ray.seen, probe).into_iter().collect() } else { Vec::new() }
     }
 
     fn in_thick(

@@ -1,0 +1,60 @@
+use crate::blocks::BLOCK;
+use freepath_draws::random::UNIFORM_BITS;
+use freepath_statistics::claim::{BiasBound, Withdrawal};
+
+/// Draws of stage 1 unless a case says otherwise.
+pub const DRAWS: u64 = 1_000_000;
+
+/// Which of a subject's methods is driven.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Route {
+    /// The block method: the tile engine where there is one.
+    #[default]
+    Block,
+    /// The scalar method, one draw at a time.
+    Scalar,
+}
+
+/// How far the claims on a subject go: what its case, its file or its author says of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a> {
+    /// How far every claim may be off.
+    pub tolerance: f64,
+    /// Bits of its uniforms.
+    pub bits: u32,
+    /// Draws of stage 1.
+    pub draws: u64,
+    /// Draws of a block.
+    pub rows: usize,
+    /// Draws at which growth ends.
+    pub budget: u64,
+    /// What growth aims at.
+    pub bias_bound: Option<BiasBound>,
+    /// Claims withdrawn.
+    pub without: &'a [Withdrawal],
+    /// Which method is driven.
+    pub route: Route,
+}
+
+impl Default for Terms<'_> {
+    fn default() -> Self {
+        Self {
+            tolerance: 0.0,
+            bits: UNIFORM_BITS,
+            draws: DRAWS,
+            rows: BLOCK,
+            budget: 64 * DRAWS,
+            bias_bound: None,
+            without: &[],
+            route: Route::Block,
+        }
+    }
+}
+
+impl Terms<'_> {
+    /// Whether what `withdrawal` would take back still stands.
+    #[must_use]
+    pub fn stands(&self, withdrawal: Withdrawal) -> bool {
+        !self.without.contains(&withdrawal)
+    }
+}
