@@ -2,9 +2,8 @@
 //! shows it with all.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{Case, CaseFile, Limits};
+use freepath_harness::case::{Case, CaseFile, KINDS, Limits};
 use freepath_harness::fault::Fault;
-use freepath_harness::kind::KINDS;
 use freepath_tests::{case_paths, load, results, root, surprises};
 use std::collections::BTreeSet;
 

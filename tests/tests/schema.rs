@@ -1,9 +1,8 @@
 //! `case.schema.json` is the schema of a case, and knows every name and every field.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{self, CaseFile};
+use freepath_harness::case::{self, CaseFile, KINDS};
 use freepath_harness::fault::Fault;
-use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
 use serde_json::Value;
 use std::fs;

@@ -2,10 +2,9 @@
 //! pages it links to leave no name out.
 
 use freepath_estimators::medium::AnyMedium;
-use freepath_harness::case::{CaseFile, Limits};
+use freepath_harness::case::{CaseFile, KINDS, Limits};
 use freepath_harness::describe::CHECKS;
 use freepath_harness::fault::Fault;
-use freepath_harness::kind::KINDS;
 use freepath_results::Reason;
 use freepath_statistics::hypothesis::TESTS;
 use std::collections::BTreeSet;

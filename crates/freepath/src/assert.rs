@@ -3,8 +3,8 @@
 use freepath_estimators::medium;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_harness::collect::{Collected, Stopped, Watch, observe};
-use freepath_harness::experiment::{Experiment, InScene, Plan};
-use freepath_harness::kind::{Chromatic, FreePathKind, Ray, Transmittance};
+use freepath_harness::experiment::{Experiment, Plan};
+use freepath_harness::kind::{Chromatic, FreePathKind, InScene, Ray, Transmittance};
 use freepath_harness::noiseless;
 use freepath_harness::subject::{Route, Subject};
 use freepath_results::Verdict;

@@ -2,7 +2,6 @@
 
 use crate::agree::Agreement;
 use crate::diagnose::{Diagnosis, MAX_BYTES, Source};
-use crate::kind::KINDS;
 use crate::scene::AnyScene;
 use freepath_estimators::MajorantChoice;
 use freepath_estimators::medium::AnyMedium;
@@ -13,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 mod any_named;
+mod built_in;
 mod case_folder;
 mod check;
 mod command;
@@ -20,30 +20,29 @@ mod error;
 pub mod example;
 mod external;
 mod faults;
+mod kind_entry;
 mod listed;
 mod name;
 mod named;
-mod origin;
 mod prepare;
+mod preparing;
+mod program;
 mod registry;
-mod samples;
+mod sample_file;
 mod schema;
+mod subject;
 
-pub use crate::kind::SubjectSpec;
-pub(crate) use any_named::AnyNamed;
 pub use command::{Command, Commands};
 pub use error::CaseError;
 pub use external::External;
 pub use faults::Faults;
 pub use freepath_estimators::medium::Ray;
+pub use kind_entry::KindEntry;
 pub use named::Named;
-pub(crate) use named::definition;
-pub use origin::Origin;
 pub use prepare::{Limits, Prepared, PreparedSubject};
-pub(crate) use registry::closer;
 pub use registry::{ListError, Lists};
-pub use samples::{ChromaticSamples, FreePathSamples, SampleArguments, SamplesSpec, TransmittanceSamples};
 pub use schema::{resolve, variants};
+pub use subject::{KINDS, SubjectSpec};
 
 /// Most draws of one stage.
 pub const MOST_DRAWS: u64 = 1_000_000_000_000;
@@ -152,6 +151,21 @@ impl CaseFile {
         let source = Source::new(path.display().to_string(), text)?;
         let case = source.read().map_err(|found| located(&source, found))?;
         Ok(Self { path: path.to_path_buf(), source, case, checked: None })
+    }
+
+    /// The same case with `subject` alone, which the file does not hold: its file of samples is named from where the
+    /// program runs, and may be anywhere, or `-` for standard input. `ray` is one of the case's rays.
+    ///
+    /// # Errors
+    /// If the case has rays and `ray` is none of them.
+    pub fn checking(mut self, subject: SubjectSpec, ray: Option<usize>) -> Result<Self, CaseError> {
+        if let Some(ray) = ray.filter(|&ray| ray >= self.case.rays.len()) {
+            let (path, rays) = (self.path.display(), self.case.rays.len());
+            let why = format!("cannot find ray {ray} of {path}: it has {rays} (they are numbered from 0)");
+            return Err(CaseError::File(why));
+        }
+        (self.case.subjects, self.checked) = (vec![subject], Some(ray));
+        Ok(self)
     }
 }
 

@@ -11,14 +11,10 @@ use freepath_statistics::tally::Audit;
 use std::cell::RefCell;
 
 mod functional;
-mod in_scene;
-mod placed;
 mod probe;
 mod terms;
 
 pub use functional::Functional;
-pub use in_scene::{InScene, Source};
-pub use placed::{Owned, Placed, PlacedSource};
 pub use probe::Probe;
 pub use terms::{DRAWS, Route, Terms};
 

@@ -2,28 +2,31 @@
 //! which claims follow.
 
 use crate::agree::Agreement;
-use crate::case::{AnyNamed, Faults, MOST_DRAWS, Named, SampleArguments, SamplesSpec};
-use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Source, Terms};
-use crate::fault::{ChannelMixture, Expectation, Fault};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
+use crate::fault::{ChannelMixture, Fault};
 use crate::samples::RowFormat;
 use crate::scene::Scene;
 use freepath_draws::{Draws, Row, Streams};
-use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::{Capability, List, MajorantChoice, Medium, ParameterError};
+use freepath_estimators::{Capability, List, MajorantChoice, ParameterError};
 use freepath_statistics::Fact;
-use freepath_statistics::claim::{BiasBound, Withdrawal};
+use freepath_statistics::claim::Withdrawal;
 use list::kinds;
-use schemars::JsonSchema;
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
-use std::fmt::Debug;
 
+mod body;
 mod events;
+mod in_scene;
 mod list;
+mod outline;
+mod placed;
 mod ray;
+mod samples;
 
-pub use list::KindEntry;
+pub use body::Body;
+pub use in_scene::{InScene, Source};
+pub use outline::{Outline, Refusal};
+pub use placed::{Owned, Placed, PlacedSource};
 pub use ray::{PlacedRay, Ray};
+pub use samples::{SampleArguments, SamplesSpec};
 
 kinds! {
     /// A free-path sampler.
@@ -38,42 +41,10 @@ kinds! {
     density::Density,
 }
 
-/// What a case says of something by its name: its parameters.
-pub trait Body:
-    Clone + Debug + Default + PartialEq + DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static
-{
-}
-
-impl<T> Body for T where
-    T: Clone + Debug + Default + PartialEq + DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static
-{
-}
-
 /// The kind that a sampler's trait belongs to.
 pub trait KindOf {
     /// That kind.
     type Kind: Kind;
-}
-
-/// Why a scene cannot be that of a subject.
-pub enum Refusal {
-    /// The kind needs another scene.
-    Scene(String),
-    /// The majorant of the subject does not bound, or is none.
-    Majorant(String),
-}
-
-/// What is known of a scene where draws are made elsewhere, and where a fault is to be laid.
-#[derive(Clone, Copy, Default)]
-pub struct Outline<'a> {
-    /// The one extinction, if there is one.
-    pub medium: Option<&'a dyn Medium>,
-    /// The channels, if there are several.
-    pub channels: Option<&'a ChromaticMedium>,
-    /// The length of the ray.
-    pub length: f64,
-    /// Weights in a row of samples.
-    pub weights: usize,
 }
 
 /// What a case names under one key: one file, and one line in the list.

@@ -23,6 +23,7 @@ pub mod identities;
 pub mod kind;
 pub mod microscope;
 pub mod noiseless;
+mod origin;
 pub mod power;
 pub mod program;
 pub mod ranking;

@@ -1,9 +1,10 @@
 //! A run: every subject through stage 1, the suspects through stage 2, one decision over all, results.
 
-use crate::case::{Origin, Prepared, PreparedSubject};
+use crate::case::{Prepared, PreparedSubject};
 use crate::collect::{Collected, Stopped, Watch, observe, rehearse};
 use crate::experiment::Plan;
 use crate::noiseless;
+use crate::origin::Origin;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::{Grown, Real, Results, SCHEMA_VERSION, SubjectTiming, Verdict};
 use freepath_statistics::Judged;

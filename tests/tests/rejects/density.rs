@@ -3,8 +3,7 @@
 use freepath::{Effort, verify};
 use freepath_estimators::DensitySampler;
 use freepath_estimators::density::{Atom, Curve, Drawn, NewtonBisection, Rejection, Target};
-use freepath_harness::experiment::InScene;
-use freepath_harness::kind::Density;
+use freepath_harness::kind::{Density, InScene};
 use freepath_harness::subject::Subject;
 use freepath_results::Verdict;
 use rand::Rng;

@@ -3,7 +3,7 @@ use crate::number;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use freepath_formats::Format;
-use freepath_harness::kind::KINDS;
+use freepath_harness::case::KINDS;
 use freepath_harness::samples::Escape;
 use std::path::PathBuf;
 

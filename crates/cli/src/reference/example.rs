@@ -1,7 +1,7 @@
 //! How a name stands in a case.
 
+use freepath_harness::case::KINDS;
 use freepath_harness::case::example::value;
-use freepath_harness::kind::KINDS;
 use serde_json::{Value, json};
 
 /// A line of a case that uses `name`; empty for a claim, which is withdrawn in a list.

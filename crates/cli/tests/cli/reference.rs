@@ -1,7 +1,7 @@
 //! `list`, `describe` and `schema`: no name is left out, and every example can be run.
 
 use crate::support::{folder, put, run};
-use freepath_harness::kind::KINDS;
+use freepath_harness::case::KINDS;
 use serde_json::{Value, json};
 use std::path::Path;
 

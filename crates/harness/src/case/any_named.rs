@@ -1,16 +1,16 @@
 //! A subject of a case, whichever its kind, made ready to run.
 
-use super::case_folder::CaseFolder;
+use super::CaseError;
 use super::command::Command;
-use super::listed::listed;
 use super::named::Named;
-use super::{CaseError, CaseFile, Origin, SubjectSpec};
-use crate::agree::{Agreement, Variant};
-use crate::experiment::{Experiment, Owned, Placed, PlacedSource};
-use crate::fault::Target;
-use crate::kind::{Kind, Outline, Refusal};
+use super::preparing::Preparing;
+use super::sample_file::AnySamples;
+use crate::agree::Variant;
+use crate::experiment::Experiment;
+use crate::fault::{ListedSampler, Target};
+use crate::kind::{Kind, Outline, Owned, Placed, PlacedSource};
+use crate::origin::Origin;
 use crate::samples::RowFormat;
-use crate::scene::Scene;
 use freepath_estimators::Capability;
 use std::sync::Arc;
 
@@ -34,19 +34,6 @@ pub(crate) trait AnyNamed {
     fn program_rows(&self, outline: &Outline) -> RowFormat;
     /// The subject in its scene.
     fn ready(&self, context: &Preparing) -> Result<Ready, CaseError>;
-}
-
-/// A file of samples without its kind.
-pub(crate) use super::samples::AnySamples;
-
-/// Where a subject stands while it is made ready.
-pub(crate) struct Preparing<'a> {
-    pub(super) file: &'a CaseFile,
-    /// Its place in the file.
-    pub(super) at: String,
-    pub(super) spec: &'a SubjectSpec,
-    pub(super) scene: &'a dyn Scene,
-    pub(super) place: &'a CaseFolder<'a>,
 }
 
 /// A subject in its scene, and in the other settings in which it must agree with itself.
@@ -89,16 +76,16 @@ impl<K: Kind> AnyNamed for Named<K> {
         K::program_rows(outline)
     }
     fn ready(&self, context: &Preparing) -> Result<Ready, CaseError> {
-        let majorant = context.spec.majorant.as_ref();
+        let majorant = context.own.majorant;
         let truth = || K::place(context.scene, majorant).map_err(|why| context.refusal(K::NAME, why));
         let own = truth()?;
         let outline = K::outline(&own);
         let source = context.source(self, &outline)?.map(Arc::new);
         let sampler = self.sampler();
-        context.check_faults(&self.target(&own, sampler.as_ref()))?;
+        context.check_faults(&self.target(&own, sampler.as_ref(), context.listed))?;
         let seen = context.see::<K>(truth()?, sampler.as_ref())?;
         if let Some(sampler) = &sampler {
-            K::accepts(K::borrowed(sampler), &seen).map_err(|why| context.unfit(self, why))?;
+            K::accepts(K::borrowed(sampler), &seen).map_err(|why| context.unfit(K::NAME, self.name(), why))?;
         }
         let variants = self.variants(context, &own, sampler.as_ref(), source.is_some())?;
         let experiment = Box::new(Placed::<K> { source: self.placed(sampler, source.clone()), scene: seen });
@@ -117,7 +104,12 @@ impl<K: Kind> Named<K> {
     }
 
     /// What planted faults may be laid over.
-    fn target<'a>(&self, own: &'a K::Placed, sampler: Option<&'a Owned<K::Sampler<'static>>>) -> Target<'a> {
+    fn target<'a>(
+        &self,
+        own: &'a K::Placed,
+        sampler: Option<&'a Owned<K::Sampler<'static>>>,
+        listed: fn() -> &'static [ListedSampler],
+    ) -> Target<'a> {
         let sampler = sampler.map(|sampler| K::borrowed(sampler));
         Target {
             sampler: self.name(),
@@ -165,61 +157,16 @@ impl<K: Kind> Named<K> {
 }
 
 impl Preparing<'_> {
-    fn refusal(&self, kind: &str, refusal: Refusal) -> CaseError {
-        match refusal {
-            Refusal::Scene(why) => self.file.refuse(&format!("{}.{kind}", self.at), why),
-            Refusal::Majorant(why) => self.file.refuse(&format!("{}.majorant", self.at), why),
-        }
-    }
-
-    /// The scene behind the faults that concern majorants.
-    fn see<K: Kind>(
-        &self,
-        truth: K::Placed,
-        sampler: Option<&Owned<K::Sampler<'static>>>,
-    ) -> Result<K::Placed, CaseError> {
-        let sampler = sampler.map(|sampler| K::borrowed(sampler));
-        let stated = self.spec.majorant.as_ref().map(|_| format!("{}.majorant", self.at));
-        let at = stated.unwrap_or_else(|| "majorant".into());
-        K::see(truth, sampler, self.spec.faults(), &self.spec.without).map_err(|why| self.file.refuse(&at, why))
-    }
-
-    fn unfit(&self, named: &dyn AnyNamed, why: freepath_estimators::ParameterError) -> CaseError {
-        let at = format!("{}.{}.{}.{}", self.at, named.kind(), named.name(), why.name());
-        self.file.refuse(&at, why)
-    }
-
-    /// The agreements that the subject must keep: its own, or the case's.
-    fn agreements(&self) -> (&[Agreement], String) {
-        match &self.spec.agree {
-            Some(own) => (own, format!("{}.agree", self.at)),
-            None => (&self.file.case.agree, "agree".into()),
-        }
-    }
-
-    fn may_agree(
-        &self,
-        external: bool,
-        before: &[Variant<'static>],
-        agreement: Agreement,
-    ) -> Result<(), &'static str> {
-        if external {
-            return Err("samples that are made elsewhere cannot be drawn in another setting (leave `agree` out)");
-        }
-        if before.iter().any(|variant| variant.agreement == agreement) {
-            return Err("an agreement stands there twice (once is enough)");
-        }
-        Ok(())
-    }
-
     /// The file or the program that it is, if it is one.
     fn source(&self, named: &dyn AnyNamed, outline: &Outline) -> Result<Option<Origin>, CaseError> {
         if let Some(command) = named.command() {
             let rows = named.program_rows(outline);
-            return self.program(named, rows, command, outline).map(|program| Some(Origin::Program(program)));
+            return self
+                .program(named.kind(), rows, command, outline)
+                .map(|program| Some(Origin::Program(program)));
         }
         let Some(samples) = named.samples() else { return Ok(None) };
-        let file = self.sample_file(named, samples, outline)?;
+        let file = self.sample_file(named.kind(), samples, outline)?;
         Ok(Some(Origin::File(file)))
     }
 }

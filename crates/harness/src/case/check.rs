@@ -1,8 +1,7 @@
 //! What can be refused before a medium is built: kinds, names, faults, efforts.
 
 use super::any_named::AnyNamed;
-use super::{CaseError, CaseFile, MOST_DRAWS, SubjectSpec};
-use crate::kind::KINDS;
+use super::{CaseError, CaseFile, KINDS, MOST_DRAWS, SubjectSpec};
 use freepath_statistics::claim::{BiasBound, Withdrawal};
 use std::collections::HashSet;
 

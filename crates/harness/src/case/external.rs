@@ -1,5 +1,4 @@
-use crate::experiment::Owned;
-use crate::kind::Kind;
+use crate::kind::{Kind, Owned};
 use freepath_estimators::List;
 use serde_json::Value;
 use std::fmt;

@@ -1,6 +1,4 @@
-use super::CaseError;
-use super::any_named::Preparing;
-use crate::fault::{Fault, Target};
+use crate::fault::Fault;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -41,15 +39,5 @@ impl JsonSchema for Faults {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let (one, many) = (generator.subschema_for::<Fault>(), generator.subschema_for::<Vec<Fault>>());
         json_schema!({ "anyOf": [one, many] })
-    }
-}
-
-impl Preparing<'_> {
-    /// Refuses a fault that cannot be laid over this subject in this scene.
-    pub(super) fn check_faults(&self, target: &Target) -> Result<(), CaseError> {
-        self.spec.faults().iter().try_for_each(|fault| {
-            let words = |why| format!("fault {}: {why}", fault.name());
-            fault.fits(target).map_err(|why| self.file.refuse(&format!("{}.fault", self.at), words(why)))
-        })
     }
 }

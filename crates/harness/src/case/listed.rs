@@ -1,8 +1,7 @@
 //! Every sampler that a case can name, and what it does inside.
 
-use super::{SubjectSpec, example, schema, variants};
+use super::{KINDS, KindEntry, SubjectSpec, example, schema, variants};
 use crate::fault::ListedSampler;
-use crate::kind::{KINDS, KindEntry};
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 

@@ -1,7 +1,8 @@
 //! What a subject is called.
 
-use super::SubjectSpec;
 use super::any_named::AnyNamed;
+use super::preparing::Overrides;
+use super::subject::SubjectSpec;
 use crate::fault::Fault;
 use serde_json::Value;
 
@@ -27,6 +28,18 @@ impl SubjectSpec {
     #[must_use]
     pub fn faults(&self) -> &[Fault] {
         self.fault.as_ref().map_or(&[], |faults| &faults.0)
+    }
+
+    /// The terms that it states itself.
+    pub(super) fn overrides(&self) -> Overrides<'_> {
+        Overrides {
+            majorant: self.majorant.as_ref(),
+            draws: self.draws,
+            tolerance: self.tolerance,
+            faults: self.fault.as_ref().map(|faults| &*faults.0),
+            without: &self.without,
+            agree: self.agree.as_deref(),
+        }
     }
 
     /// The estimator with its parameters, such as `ray_marching stratified 4`.

@@ -1,5 +1,6 @@
 //! What is under test, by its name in a case: the harness's own source, draws made elsewhere, or a sampler of a list.
 
+use super::built_in::{COMMAND, SAMPLES, built_in};
 use super::command::Command;
 use super::external::External;
 use super::registry;
@@ -28,11 +29,6 @@ pub enum Named<K: Kind> {
     External(External<K>),
 }
 
-/// A file of samples.
-pub(super) const SAMPLES: &str = "samples";
-/// A program.
-pub(super) const COMMAND: &str = "command";
-
 impl<K: Kind> Named<K> {
     /// The names that a case may use, with those of installed [`Lists`](super::Lists).
     #[must_use]
@@ -56,11 +52,6 @@ impl<K: Kind> Named<K> {
             Self::External(external) => external.name(),
         }
     }
-}
-
-/// The names without those of other crates.
-pub(super) fn built_in<K: Kind>() -> Vec<&'static str> {
-    K::CONTROL.into_iter().chain([SAMPLES, COMMAND]).chain(K::List::NAMES.iter().copied()).collect()
 }
 
 impl<K: Kind> Clone for Named<K> {

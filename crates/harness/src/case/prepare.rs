@@ -1,12 +1,15 @@
 //! From a case to subjects ready to run: media are built, majorants checked, parameters refused at their place.
 
-use super::any_named::{Preparing, Ready};
+use super::any_named::Ready;
 use super::case_folder::{CaseFolder, Volumes};
-use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, Origin, SubjectSpec};
+use super::listed::listed;
+use super::preparing::Preparing;
+use super::{Case, CaseError, CaseFile, Commands, MOST_DRAWS, SubjectSpec};
 use crate::agree::Variant;
 use crate::experiment::Experiment;
 use crate::fault::Fault;
 use crate::hash::hash;
+use crate::origin::Origin;
 use crate::scene::{AnyScene, ChannelScene, MediumScene, Scene};
 use crate::subject::{DRAWS, Subject};
 use freepath_draws::random::UNIFORM_BITS;
@@ -188,7 +191,7 @@ impl CaseFile {
     ) -> Result<PreparedSubject, CaseError> {
         let (spec, at) = (&self.case.subjects[i], format!("subjects[{i}]"));
         let Some(named) = spec.named() else { return Err(self.refuse(&at, "a subject has no kind")) };
-        let ready = named.ready(&Preparing { file: self, at, spec, scene, place })?;
+        let ready = named.ready(&Preparing { file: self, at, own: spec.overrides(), scene, place, listed })?;
         let Ready { experiment, variants, source } = ready;
         let name = spec.name.clone().unwrap_or_else(|| spec.default_name());
         let draws = match source.as_deref().and_then(Origin::file) {

@@ -1,5 +1,6 @@
 //! Samplers that other crates bring, under names of their own.
 
+use super::built_in::built_in;
 use super::external::External;
 use crate::diagnose::{Diagnosis, Source};
 use crate::kind::{Kind, KindOf};
@@ -68,7 +69,7 @@ impl Lists {
     }
 
     fn add<K: Kind>(&mut self, listing: Listing<K>) {
-        let mut before: Vec<&'static str> = super::named::built_in::<K>();
+        let mut before: Vec<&'static str> = built_in::<K>();
         before.extend(names(self.of::<K>()));
         for &name in listing.names {
             if before.contains(&name) {

@@ -1,7 +1,6 @@
-use super::{Kind, KindOf, Outline, Refusal};
+use super::{InScene, Kind, KindOf, Outline, Refusal, Source};
 use crate::audit::Audited;
-use crate::case::ChromaticSamples;
-use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::ChannelMixture;
 use crate::identities;
 use crate::samples::RowFormat;
@@ -16,6 +15,9 @@ use freepath_statistics::Fact;
 use freepath_statistics::tally::Audit;
 
 mod plan;
+mod samples;
+
+use samples::ChromaticSamples;
 
 /// No one distance serves all channels, so that there is no positive control.
 #[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]

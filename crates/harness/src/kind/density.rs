@@ -1,5 +1,5 @@
-use super::{Kind, KindOf, Outline, Refusal};
-use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Source, Terms};
+use super::{Kind, KindOf, Outline, Refusal, Source};
+use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
 use crate::identities;
 use crate::samples::{ColumnFormat, Fills, Place, Reading, RowFormat};
 use crate::scene::{Density1d, Scene};

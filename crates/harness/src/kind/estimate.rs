@@ -1,5 +1,5 @@
-use super::{Kind, KindOf, Outline, Refusal};
-use crate::experiment::{DrawContext, Functional, Looked, Plan, Source, Terms};
+use super::{Kind, KindOf, Outline, Refusal, Source};
+use crate::experiment::{DrawContext, Functional, Looked, Plan, Terms};
 use crate::samples::{Place, RowFormat};
 use crate::scene::{Number, Scene};
 use crate::subject::Route;

@@ -1,8 +1,7 @@
 use super::ray::{Methods, PlacedRay, Ray, draw};
-use super::{Kind, KindOf, Outline, Refusal};
+use super::{InScene, Kind, KindOf, Outline, Refusal, Source};
 use crate::agree::Agreement;
-use crate::case::FreePathSamples;
-use crate::experiment::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
 use crate::identities;
 use crate::samples::{EscapeRule, Escapes, Place, RowFormat};
@@ -21,9 +20,11 @@ use rand::Rng;
 mod control;
 mod in_parts;
 mod plan;
+mod samples;
 mod weighted;
 
 use control::Exact;
+use samples::FreePathSamples;
 
 /// Free paths: distances to the next collision, infinity for an escape.
 #[derive(Debug)]

@@ -1,8 +1,7 @@
-use super::{Kind, KindOf, Outline, Refusal};
+use super::{Kind, KindOf, Outline, Refusal, Source};
 use super::ray::{Methods, PlacedRay, Ray, draw};
 use crate::agree::Agreement;
-use crate::case::TransmittanceSamples;
-use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Source, Terms};
+use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
 use crate::identities;
 use crate::samples::{Place, RowFormat};
@@ -16,8 +15,10 @@ use rand::Rng;
 
 mod control;
 mod plan;
+mod samples;
 
 use control::ClosedForm;
+use samples::TransmittanceSamples;
 
 /// Transmittance: estimates of exp(-tau).
 #[derive(Debug)]

@@ -1,6 +1,5 @@
 use super::*;
-use crate::experiment::InScene;
-use crate::kind::{FreePathKind, Ray, Transmittance};
+use crate::kind::{FreePathKind, InScene, Ray, Transmittance};
 use freepath_estimators::TransmittanceEstimator;
 use freepath_estimators::medium::Gaussian;
 use freepath_estimators::transmittance::{AnyTransmittance, RatioTracking};

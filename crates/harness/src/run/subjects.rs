@@ -3,7 +3,7 @@
 use super::efficiency::efficiency;
 use super::grow::settled;
 use super::{Options, Prepared, PreparedSubject, Trial, expected};
-use crate::case::Origin;
+use crate::origin::Origin;
 use crate::samples::SampleFile;
 use freepath_results::{FactResult, Grown, OrderResult, Real, SubjectResult, TestResult, Verdict};
 use freepath_statistics::claim::{StepOrder, Summary, worst};

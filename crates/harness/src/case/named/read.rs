@@ -1,4 +1,5 @@
-use super::{COMMAND, Named, SAMPLES};
+use super::Named;
+use crate::case::built_in::{COMMAND, SAMPLES};
 use crate::case::registry;
 use crate::kind::Kind;
 use freepath_estimators::List;

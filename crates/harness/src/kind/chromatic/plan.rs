@@ -1,6 +1,7 @@
 use super::Chromatic;
-use crate::experiment::{Plan, Source, Terms};
+use crate::experiment::{Plan, Terms};
 use freepath_draws::column::T;
+use crate::kind::Source;
 use crate::kind::events::{BINS, EventMean, Events, weights};
 use freepath_draws::quadrature::integrate;
 use freepath_estimators::claims::{Channel, ChromaticClaims};

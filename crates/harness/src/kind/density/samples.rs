@@ -1,7 +1,6 @@
 use super::rows;
-use crate::case::{SampleArguments, SamplesSpec};
-use crate::kind::Outline;
-use crate::samples::{Escape, Place, RowFormat};
+use crate::kind::{Outline, SampleArguments, SamplesSpec};
+use crate::samples::{Place, RowFormat};
 use freepath_formats::Format;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,10 +36,7 @@ impl SamplesSpec for DensitySamples {
         self.format
     }
     fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
-        let SampleArguments { file, column, weight, escape, format } = arguments;
-        if weight.is_some() || escape != Escape::default() {
-            return Err("cannot use --weight or --escape: they belong to free paths (--as free_path)");
-        }
+        let SampleArguments { file, column, format, .. } = arguments.without_paths()?;
         Ok(Self { file, column, format })
     }
 }

@@ -1,7 +1,7 @@
 use super::FreePathKind;
 use super::in_parts::{InParts, cut, works_in_parts};
-use crate::experiment::{Beside, Plan, Source, Terms};
-use crate::kind::Ray;
+use crate::experiment::{Beside, Plan, Terms};
+use crate::kind::{Ray, Source};
 use freepath_draws::column::{AUXILIARY, COLLISIONS, T, WEIGHT};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;

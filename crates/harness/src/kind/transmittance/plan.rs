@@ -1,6 +1,6 @@
 use super::Transmittance;
-use crate::experiment::{Plan, Source, Terms};
-use crate::kind::Ray;
+use crate::experiment::{Plan, Terms};
+use crate::kind::{Ray, Source};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
 use freepath_estimators::claims::TransmittanceClaims;

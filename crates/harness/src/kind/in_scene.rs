@@ -1,8 +1,7 @@
-use super::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
+use super::Kind;
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Route, Terms};
 use crate::fault::ChannelMixture;
-use crate::kind::Kind;
 use crate::samples::SampleSource;
-use crate::subject::Route;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 

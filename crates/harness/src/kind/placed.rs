@@ -1,9 +1,8 @@
-use super::{DrawContext, Experiment, Functional, InScene, Looked, Plan, Probe, Source, Terms};
-use crate::case::Origin;
+use super::{InScene, Kind, Source};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Route, Terms};
 use crate::fault::ChannelMixture;
-use crate::kind::Kind;
+use crate::origin::Origin;
 use crate::samples::SampleSource;
-use crate::subject::Route;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 use std::ops::Deref;
