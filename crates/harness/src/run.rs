@@ -21,7 +21,7 @@ mod grow;
 mod media;
 mod subjects;
 
-pub use expect::expected;
+pub use expect::{Expected, expected};
 pub use media::medium_result;
 pub use subjects::{id, quoted};
 

@@ -18,18 +18,29 @@ struct Reader<'a> {
     blocks: Range<u64>,
 }
 
-/// A block, or why it could not be read.
-type Read = Result<BlockParts, (u64, String)>;
+/// A block that was read.
+struct ReadBlock {
+    number: u64,
+    seconds: f64,
+}
+
+/// A block that could not be read.
+struct Unread {
+    block: u64,
+    why: String,
+}
+
+type Read = Result<BlockParts, Unread>;
 
 impl Reader<'_> {
-    /// The number of the next block and the seconds that it took to read; none at the end.
-    fn next(&mut self, draws: &mut Draws) -> Option<Result<(u64, f64), (u64, String)>> {
+    /// The next block; none at the end.
+    fn next(&mut self, draws: &mut Draws) -> Option<Result<ReadBlock, Unread>> {
         let (started, block) = (Instant::now(), self.blocks.next()?);
         draws.resize(BLOCK);
         match self.rows.read(draws) {
             Err(why) => {
                 self.blocks.start = self.blocks.end;
-                Some(Err((block, why)))
+                Some(Err(Unread { block, why }))
             }
             Ok(0) => {
                 self.blocks.start = self.blocks.end;
@@ -37,7 +48,7 @@ impl Reader<'_> {
             }
             Ok(rows) => {
                 draws.resize(rows);
-                Some(Ok((block, started.elapsed().as_secs_f64())))
+                Some(Ok(ReadBlock { number: block, seconds: started.elapsed().as_secs_f64() }))
             }
         }
     }
@@ -47,10 +58,9 @@ impl Worker {
     /// The next block, whichever it is.
     fn take(&mut self, folds: &Folds, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
         let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
-        let drawn = |(number, seconds)| Drawn { number, nth: number - first, audit: None, seconds };
-        Some(next.and_then(|read| {
-            let drawn = drawn(read);
-            self.tally(folds, &drawn).map_err(|why| (drawn.number, why))
+        Some(next.and_then(|ReadBlock { number, seconds }| {
+            let drawn = Drawn { number, nth: number - first, audit: None, seconds };
+            self.tally(folds, &drawn).map_err(|why| Unread { block: number, why })
         }))
     }
 }
@@ -92,10 +102,10 @@ pub(super) fn collect(
         if watch.is_cancelled() {
             return Err(Stopped::Cancelled);
         }
-        wave.sort_by_key(|read| read.as_ref().map_or_else(|(block, _)| *block, |block| block.number));
+        wave.sort_by_key(|read| read.as_ref().map_or_else(|unread| unread.block, |block| block.number));
         let (before, full) = (collected.tallies.draws, wave.len() as u64 == WAVE);
         for read in wave {
-            collected.fold(folds, &read.map_err(|(_, why)| Stopped::Subject(why))?);
+            collected.fold(folds, &read.map_err(|unread| Stopped::Subject(unread.why))?);
         }
         (watch.progress)(collected.tallies.draws - before);
         if !full {

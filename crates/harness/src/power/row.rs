@@ -5,7 +5,7 @@ use super::outcome::Outcome;
 use super::words::words;
 use crate::case::{Prepared, PreparedSubject};
 use crate::fault::Expectation;
-use crate::run::{Cancelled, Options, expected, id, run_stages, whole};
+use crate::run::{Cancelled, Expected, Options, expected, id, run_stages, whole};
 use freepath_results::{FEWEST_DRAWS, PowerRow, Role, Rung};
 use freepath_results::{Reason, Verdict};
 use freepath_statistics::claim::Design;
@@ -51,9 +51,15 @@ struct Found {
     silent: bool,
     /// At full effort.
     full: Outcome,
-    /// At the fewest draws, if those are fewer.
+    climb: Climb,
+}
+
+/// What was found below the full effort.
+#[derive(Default)]
+struct Climb {
+    /// At the fewest draws at which the subject fails as it must, if there are any.
     fewest: Option<Outcome>,
-    /// What was tried below the full effort.
+    /// All that was tried.
     ladder: Vec<Rung>,
 }
 
@@ -65,11 +71,11 @@ pub(super) fn row(case: &Prepared, prepared: &PreparedSubject, options: &Options
     let full = Outcome::of(&trial, draws, aim.family());
     let silent = Outcome::of(&trial, draws, 0).silent();
     let held = |decision: &Decision| expected(prepared.spec.expect, !prepared.faults.is_empty(), design, decision);
-    let (expected, _, as_expected) = held(&full.decision);
-    let mut found = Found { aim, expected, as_expected, silent, full, fewest: None, ladder: Vec::new() };
+    let Expected { words: expected, met: as_expected, .. } = held(&full.decision);
+    let mut found = Found { aim, expected, as_expected, silent, full, climb: Climb::default() };
     if found.caught() && prepared.source.is_none() {
-        let fails = |decision: &Decision| decision.verdict == Verdict::Fail && held(decision).2;
-        (found.fewest, found.ladder) = climb(case, prepared, options, &fails)?;
+        let fails = |decision: &Decision| decision.verdict == Verdict::Fail && held(decision).met;
+        found.climb = climb(case, prepared, options, &fails)?;
     }
     Ok(found.row(case, prepared))
 }
@@ -80,17 +86,18 @@ fn climb(
     prepared: &PreparedSubject,
     options: &Options,
     fails: &dyn Fn(&Decision) -> bool,
-) -> Result<(Option<Outcome>, Vec<Rung>), Cancelled> {
-    let (mut draws, mut ladder) = (FEWEST_DRAWS, Vec::new());
+) -> Result<Climb, Cancelled> {
+    let (mut draws, mut climbed) = (FEWEST_DRAWS, Climb::default());
     while draws < whole(prepared.draws) {
         let outcome = Outcome::of(&run_stages(case, prepared, Some(draws), options)?, draws, FAMILY);
-        ladder.push(outcome.rung.clone());
+        climbed.ladder.push(outcome.rung.clone());
         if fails(&outcome.decision) {
-            return Ok((Some(outcome), ladder));
+            climbed.fewest = Some(outcome);
+            break;
         }
         draws *= 2;
     }
-    Ok((None, ladder))
+    Ok(climbed)
 }
 
 impl Found {
@@ -99,7 +106,7 @@ impl Found {
     }
 
     fn row(self, case: &Prepared, prepared: &PreparedSubject) -> PowerRow {
-        let decisive = self.fewest.as_ref().unwrap_or(&self.full);
+        let decisive = self.climb.fewest.as_ref().unwrap_or(&self.full);
         PowerRow {
             id: id(case, prepared),
             file: case.file.clone(),
@@ -117,7 +124,7 @@ impl Found {
             first: decisive.first(self.aim.reason),
             fired: decisive.fired.clone(),
             silent: self.silent,
-            ladder: self.ladder.into_iter().chain([self.full.rung]).collect(),
+            ladder: self.climb.ladder.into_iter().chain([self.full.rung]).collect(),
             verdict: self.full.decision.verdict,
             reasons: self.full.decision.reasons,
             expected: self.expected,

@@ -2,7 +2,7 @@
 
 use super::efficiency::efficiency;
 use super::grow::settled;
-use super::{Options, Prepared, PreparedSubject, Trial, expected};
+use super::{Expected, Options, Prepared, PreparedSubject, Trial, expected};
 use crate::origin::Origin;
 use crate::samples::SampleFile;
 use freepath_results::{FactResult, Grown, OrderResult, Real, SubjectResult, TestResult, Verdict};
@@ -18,7 +18,7 @@ pub(super) fn result(
     options: &Options,
 ) -> SubjectResult {
     let Trial { case, prepared, .. } = trial;
-    let (expected, by_design, as_expected) = expectation(trial, &decision);
+    let expected = expectation(trial, &decision);
     let seen = trial.first.collected.as_ref().map(|seen| &seen.tallies);
     let summary = trial.plan.claims.summary(seen).grown(grown(trial, first, second).as_ref());
     let Summary { mean, law, channels, series, lookups, lookups_expected, audit, order } = summary;
@@ -36,9 +36,9 @@ pub(super) fn result(
         verdict: decision.verdict,
         reasons: decision.reasons,
         notes: decision.notes,
-        expected,
-        expected_by_design: by_design,
-        as_expected,
+        expected: expected.words,
+        expected_by_design: expected.by_design,
+        as_expected: expected.met,
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         masks_fault: prepared.spec.masks_fault,
         draws_requested: prepared.draws,
@@ -59,7 +59,7 @@ pub(super) fn result(
     }
 }
 
-fn expectation(trial: &Trial, decision: &Decision) -> (String, bool, bool) {
+fn expectation(trial: &Trial, decision: &Decision) -> Expected {
     let prepared = trial.prepared;
     expected(prepared.spec.expect, !prepared.faults.is_empty(), trial.subject.design(&trial.plan), decision)
 }

@@ -1,8 +1,8 @@
 //! Runs in, results out.
 
 use super::Options;
-use super::p_values::PValues;
-use super::record::Record;
+use super::p_values::{Distances, PValues};
+use super::record::{CertainFact, Record, Rejection};
 use super::trial::Trial;
 use super::uniformity::Row;
 use freepath_results::{
@@ -27,20 +27,27 @@ struct Alarms {
     listed: Vec<SoakAlarm>,
 }
 
+/// What was seen for certain of right subjects.
+#[derive(Default)]
+struct Facts {
+    count: u64,
+    listed: Vec<SoakFact>,
+}
+
 /// What is kept of all runs so far: its size does not grow with them.
 pub(super) struct Fold {
     /// By name of evidence and law.
     rows: BTreeMap<(String, &'static str), Row>,
     pooled: PValues,
     levels: Vec<Alarms>,
-    facts: (u64, Vec<SoakFact>),
+    facts: Facts,
     runs: u64,
 }
 
 impl Fold {
     pub(super) fn new(levels: usize) -> Self {
         let levels = (0..levels).map(|_| Alarms::default()).collect();
-        Self { rows: BTreeMap::new(), pooled: PValues::new(), levels, facts: (0, Vec::new()), runs: 0 }
+        Self { rows: BTreeMap::new(), pooled: PValues::new(), levels, facts: Facts::default(), runs: 0 }
     }
 
     /// Takes in the next run.
@@ -60,15 +67,18 @@ impl Fold {
             alarms.stage_1 += u64::from(alarm.first.is_some());
             alarms.both += u64::from(alarm.first.is_some() && alarm.second);
             alarms.confirmed += u64::from(alarm.confirmed);
-            let listed = alarm.first.map(|(i, test)| SoakAlarm { seed, subject: trials[i].id.clone(), test });
+            let listed = alarm.first.map(|Rejection { subject, test }| SoakAlarm {
+                seed,
+                subject: trials[subject].id.clone(),
+                test,
+            });
             alarms.listed.extend(listed.filter(|_| alarms.listed.len() < MOST_LISTED));
         }
-        self.facts.0 += record.facts.len() as u64;
-        for (i, words) in record.facts {
-            if self.facts.1.len() < MOST_LISTED {
-                self.facts.1.push(SoakFact { seed, subject: trials[i].id.clone(), words });
-            }
-        }
+        self.facts.count += record.facts.len() as u64;
+        let fact =
+            |fact: CertainFact| SoakFact { seed, subject: trials[fact.subject].id.clone(), words: fact.words };
+        let room = MOST_LISTED - self.facts.listed.len();
+        self.facts.listed.extend(record.facts.into_iter().take(room).map(fact));
     }
 
     /// Every check of the soak in one family.
@@ -103,11 +113,11 @@ impl Fold {
             p_values: self.pooled.count,
             family_level: Real(FAMILY_LEVEL),
             holds: quiet
-                && self.facts.0 == 0
+                && self.facts.count == 0
                 && !tests.is_empty()
                 && tests.iter().all(|test| test.holds && test.declared),
             levels,
-            facts: self.facts.1,
+            facts: self.facts.listed,
             tests,
             pooled: series(&self.pooled),
             repro: options.repro.clone(),
@@ -144,7 +154,7 @@ fn families(rows: &BTreeMap<(String, &'static str), Row>, least: &[f64]) -> Vec<
         *worst = if p < *worst { p } else { *worst };
     }
     let result = |((test, null), (row, names, p)): ((&str, &str), (Row, usize, f64))| {
-        let (below, above) = row.uniform().distances();
+        let Distances { over: below, under: above } = row.uniform().distances();
         let share = |count: u64| Real(count as f64 / row.p.count as f64);
         SoakTest {
             test: test.into(),

@@ -26,6 +26,15 @@ pub(super) const DECADES: usize = 7;
 /// 10^-(i + 1).
 pub(super) const LEVELS: [f64; DECADES] = [0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 
+/// How far an empirical CDF is from the uniform one, over the edges of the bins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Distances {
+    /// Its largest excess over the uniform one.
+    pub(super) over: f64,
+    /// The largest excess of the uniform one over it.
+    pub(super) under: f64,
+}
+
 impl PValues {
     pub(super) fn new() -> Self {
         Self { bins: vec![0; BINS], least: Vec::new(), below: [0; DECADES], count: 0 }
@@ -71,15 +80,15 @@ impl PValues {
         self.below
     }
 
-    /// The largest excess of the empirical CDF over the uniform one and the other way, over the edges of the bins.
-    pub(super) fn distances(&self) -> (f64, f64) {
+    /// The distances of their CDF from the uniform one.
+    pub(super) fn distances(&self) -> Distances {
         let (mut sum, mut over, mut under) = (0, 0.0, 0.0);
         for (k, count) in self.bins.iter().enumerate() {
             sum += count;
             let gap = sum as f64 / self.count as f64 - (k + 1) as f64 / BINS as f64;
             (over, under) = (larger(over, gap), larger(under, -gap));
         }
-        (over, under)
+        Distances { over, under }
     }
 
     /// Pairs of (uniform quantile, p-value of that rank), ascending: the smallest ones at ever larger ranks, then one for
@@ -117,11 +126,11 @@ mod tests {
 
     #[test]
     fn an_even_grid_is_uniform_and_its_half_is_not() {
-        let (over, under) = even(10_000).distances();
+        let Distances { over, under } = even(10_000).distances();
         assert!(over < 3e-4 && under < 3e-4, "{over} {under}");
         let mut half = PValues::new();
         (0..1000).for_each(|i| half.observe(f64::from(i) / 2000.0));
-        assert!(half.distances().0 > 0.49);
+        assert!(half.distances().over > 0.49);
     }
 
     #[test]

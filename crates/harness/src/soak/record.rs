@@ -20,10 +20,24 @@ pub(super) struct Sample {
     pub(super) spread: Option<f64>,
 }
 
+/// A test of a subject that rejected.
+pub(super) struct Rejection {
+    /// Its number among the subjects.
+    pub(super) subject: usize,
+    pub(super) test: String,
+}
+
+/// What was seen of a subject for certain.
+pub(super) struct CertainFact {
+    /// Its number among the subjects.
+    pub(super) subject: usize,
+    pub(super) words: String,
+}
+
 /// What one level of both stages made of a run.
 pub(super) struct Alarm {
-    /// What stage 1 rejected first: a subject and a test.
-    pub(super) first: Option<(usize, String)>,
+    /// What stage 1 rejected first.
+    pub(super) first: Option<Rejection>,
     /// Stage 2 rejects something.
     pub(super) second: bool,
     /// Both stages reject the same subject: it would fail.
@@ -37,7 +51,7 @@ pub(super) struct Record {
     /// One for each level.
     pub(super) alarms: Vec<Alarm>,
     /// What was seen for certain of a right subject: there should be nothing.
-    pub(super) facts: Vec<(usize, String)>,
+    pub(super) facts: Vec<CertainFact>,
 }
 
 /// Marks the generators of the soak, apart from those of subjects.
@@ -104,22 +118,24 @@ fn alarm(first: &[Judged], adjusted: &Adjusted, second: &[Option<Judged>], level
     let adjusted_2 = adjust(second.iter().copied());
     let one = |i: usize| Stage { judged: &first[i], adjusted: &adjusted.0[i] };
     let two = |i: usize| second[i].map(|judged| Stage { judged, adjusted: &adjusted_2.0[i] });
-    let rejected = (0..first.len()).find_map(|i| Some((i, one(i).rejected_at(level).next()?.to_string())));
+    let rejection = |i: usize| Some(Rejection { subject: i, test: one(i).rejected_at(level).next()?.to_string() });
     let fails = |i: usize| {
         let by_facts = [Some(one(i)), two(i)].into_iter().flatten().any(|stage| !stage.judged.facts.is_empty());
         !by_facts && decide_at(one(i), two(i), level).verdict == Verdict::Fail
     };
     Alarm {
-        first: rejected,
+        first: (0..first.len()).find_map(rejection),
         second: (0..first.len()).any(|i| two(i).is_some_and(|stage| stage.rejected_at(level).next().is_some())),
         confirmed: (0..first.len()).any(fails),
     }
 }
 
-fn facts(first: &[Judged], second: &[Option<Judged>]) -> Vec<(usize, String)> {
+fn facts(first: &[Judged], second: &[Option<Judged>]) -> Vec<CertainFact> {
     let of = |i: usize| {
         let stages = [Some(&first[i]), second[i].as_ref()].into_iter().flatten();
-        stages.flat_map(|judged| &judged.facts).map(move |fact| (i, fact.words.clone()))
+        stages
+            .flat_map(|judged| &judged.facts)
+            .map(move |fact| CertainFact { subject: i, words: fact.words.clone() })
     };
     (0..first.len()).flat_map(of).collect()
 }

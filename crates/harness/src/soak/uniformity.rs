@@ -1,6 +1,6 @@
 //! Are the p-values of a test what its claim of their law says?
 
-use super::p_values::{LEVELS, PValues};
+use super::p_values::{Distances, LEVELS, PValues};
 use freepath_statistics::special::{binomial_sf, ks_one_sided, ks_two_sided};
 
 /// p-values as a verdict uses them and, for a discrete statistic, spread evenly over its steps.
@@ -31,7 +31,7 @@ impl Row {
     /// uniform, downwards only if it is `conservative`.
     pub(super) fn hypotheses(&self, conservative: bool) -> Vec<f64> {
         let (all, n) = (self.uniform(), self.p.count);
-        let (over, under) = all.distances();
+        let Distances { over, under } = all.distances();
         let distance = match conservative {
             true => ks_one_sided(n, over),
             false => ks_two_sided(n, freepath_statistics::larger(over, under)),
