@@ -2,7 +2,7 @@
 
 use freepath_harness::case::{Limits, PreparedSubject};
 use freepath_harness::collect::{Stopped, Watch, observe};
-use freepath_harness::run::expected;
+use freepath_harness::run::{Expected, expected};
 use freepath_harness::subject::{Route, Subject};
 use freepath_statistics::Judged;
 use freepath_statistics::claim::{Design, Withdrawal};
@@ -43,7 +43,7 @@ fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectati
     let again = second.as_ref().map(|judged| Stage { judged, adjusted: &two.0[0] });
     let decision = decide(Stage { judged: &first, adjusted: &one.0[0] }, again);
     let design = subject.design(&plan);
-    let (wanted, _, as_expected) = expected(stated, false, design, &decision);
+    let Expected { words: wanted, met: as_expected, .. } = expected(stated, false, design, &decision);
     let unsure = design == Design::Unsure;
     (!as_expected && !unsure)
         .then(|| format!("{} where {wanted} is expected: {:?}", decision.verdict, decision.notes))
