@@ -114,7 +114,7 @@ fn means(case: &Case, members: &[&Subject]) -> Option<Figure> {
 
 fn paid<'a>(subject: &Subject<'a>) -> Option<Cost<'a>> {
     let efficiency = subject.result.efficiency.as_ref().filter(|_| !subject.is_control())?;
-    let lookups = crate::page::words::lookups(subject.result)?;
+    let lookups = subject.lookups()?;
     Some(Cost { name: subject.name.clone(), efficiency, lookups, seconds: subject.seconds })
 }
 

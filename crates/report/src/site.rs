@@ -41,6 +41,12 @@ impl Subject<'_> {
     pub(crate) fn is_control(&self) -> bool {
         !self.result.faults.is_empty()
     }
+
+    /// Look-ups per draw, where they are known.
+    pub(crate) fn lookups(&self) -> Option<f64> {
+        let elsewhere = matches!(self.result.estimator.as_str(), "samples" | "command");
+        (!elsewhere).then_some(self.result.lookups.0)
+    }
 }
 
 /// One medium along one ray, with the subjects that met it.

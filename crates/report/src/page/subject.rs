@@ -169,7 +169,7 @@ fn measures(subject: &Subject) -> Vec<String> {
         lines.extend(channel.mean.grown.as_ref().and(sentences.pop()));
     }
     let time = subject.seconds.map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
-    lines.push(words::audit(result) + &time);
+    lines.push(words::audit(subject) + &time);
     lines
 }
 

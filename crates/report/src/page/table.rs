@@ -1,6 +1,6 @@
 //! The table of all subjects.
 
-use super::words::{class, lookups};
+use super::words::class;
 use crate::number::{probability, short};
 use crate::site::{Site, Subject};
 use crate::text::{clean, words};
@@ -65,7 +65,7 @@ impl Row {
                 Cell::new(gap, f64::abs),
                 Cell::new(bound, same),
                 Cell::new(detectable, same),
-                Cell::new(lookups(result), same),
+                Cell::new(subject.lookups(), same),
             ],
         }
     }

@@ -1,6 +1,7 @@
 //! Sentences of the page.
 
 use crate::number::{count, short};
+use crate::site::Subject;
 use crate::text::{clean, words};
 use freepath_results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, Verdict};
 
@@ -147,7 +148,8 @@ pub(crate) fn life_table(table: &LifeTable) -> Option<String> {
 }
 
 /// What the audit of look-ups found.
-pub(crate) fn audit(result: &SubjectResult) -> String {
+pub(crate) fn audit(subject: &Subject) -> String {
+    let result = subject.result;
     let expected =
         result.lookups_expected.map_or(String::new(), |e| format!(", where {} are claimed", short(e.0)));
     let audit = &result.audit;
@@ -163,19 +165,13 @@ pub(crate) fn audit(result: &SubjectResult) -> String {
     .collect();
     let found =
         if found.is_empty() { "none above the majorant or outside the ray".into() } else { found.join(", ") };
-    match lookups(result) {
+    match subject.lookups() {
         Some(lookups) => format!("{} look-ups of μ per draw{expected}; {found}.", short(lookups)),
         None if result.estimator == "command" => {
             "Look-ups of μ are not known: the draws come from a program.".into()
         }
         None => "Look-ups of μ are not known: the draws come from a file.".into(),
     }
-}
-
-/// Look-ups per draw, where they are known.
-pub(crate) fn lookups(result: &SubjectResult) -> Option<f64> {
-    let elsewhere = matches!(result.estimator.as_str(), "samples" | "command");
-    (!elsewhere).then_some(result.lookups.0)
 }
 
 /// `free_path` and its kin, for people.
