@@ -16,7 +16,7 @@ const TILE: usize = 256;
 ///
 /// It cannot see a subject that never asks it, so that claims of the bound hold in vain where there are no look-ups: what is
 /// claimed of the cost shows that. Nor can it end a loop that neither looks up nor, one draw at a time, takes random numbers.
-pub struct Audited<'a> {
+pub(crate) struct Audited<'a> {
     medium: &'a dyn Extinction,
     budget: u64,
     /// 1 + the relative excess that counts as rounding.
@@ -30,7 +30,7 @@ pub struct Audited<'a> {
 impl<'a> Audited<'a> {
     /// `medium`, with at most `budget` look-ups.
     #[must_use]
-    pub fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
+    pub(crate) fn new(medium: &'a dyn Extinction, budget: u64, rounding: f64) -> Self {
         Self {
             medium,
             budget,
@@ -43,19 +43,19 @@ impl<'a> Audited<'a> {
 
     /// The same, and `watch` is told of every look-up.
     #[must_use]
-    pub fn watched(self, watch: Option<&'a dyn Told>) -> Self {
+    pub(crate) fn watched(self, watch: Option<&'a dyn Told>) -> Self {
         Self { watch, ..self }
     }
 
     /// What was recorded.
     #[must_use]
-    pub fn record(&self) -> Audit {
+    pub(crate) fn record(&self) -> Audit {
         Audit { worst: self.worst.get(), ..self.record.get() }
     }
 
     /// Whether the budget is spent.
     #[must_use]
-    pub fn spent(&self) -> bool {
+    pub(crate) fn spent(&self) -> bool {
         self.record.get().lookups > self.budget
     }
 

@@ -99,14 +99,14 @@ pub struct Case {
 impl Case {
     /// The name of its scene.
     #[must_use]
-    pub fn scene_name(&self) -> &'static str {
+    pub(crate) fn scene_name(&self) -> &'static str {
         let medium = self.medium.as_ref().map(AnyMedium::name);
         medium.or(self.scene.as_ref().map(AnyScene::name)).unwrap_or_default()
     }
 
     /// Its scene, as the case has it.
     #[must_use]
-    pub fn scene_json(&self) -> serde_json::Value {
+    pub(crate) fn scene_json(&self) -> serde_json::Value {
         let medium = self.medium.as_ref().map(serde_json::to_value);
         let json = medium.or_else(|| self.scene.as_ref().map(serde_json::to_value));
         json.transpose().ok().flatten().unwrap_or_default()

@@ -64,7 +64,7 @@ impl Collected {
     }
 
     /// Takes in later draws.
-    pub fn extend(&mut self, folds: &Folds, later: &Self) {
+    pub(crate) fn extend(&mut self, folds: &Folds, later: &Self) {
         folds.extend(&mut self.tallies, &later.tallies);
         self.seconds += later.seconds;
     }
@@ -110,7 +110,7 @@ fn one_block(subject: &Subject, beside: &Beside, key: Key) -> Result<Tallies, St
 ///
 /// # Errors
 /// If the subject fails or the run is cancelled; of several failures, that of the first block.
-pub fn collect(
+pub(crate) fn collect(
     subject: &Subject,
     folds: &Folds,
     seed: u64,

@@ -84,7 +84,7 @@ impl Source {
     /// # Errors
     ///
     /// The first place that does not fit `T`.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<T, Diagnosis> {
+    pub(crate) fn read<T: DeserializeOwned>(&self) -> Result<T, Diagnosis> {
         self.read_at("")
     }
 
@@ -93,7 +93,7 @@ impl Source {
     /// # Errors
     ///
     /// The first place that does not fit `T`.
-    pub fn read_at<T: DeserializeOwned>(&self, path: &str) -> Result<T, Diagnosis> {
+    pub(crate) fn read_at<T: DeserializeOwned>(&self, path: &str) -> Result<T, Diagnosis> {
         let node = self.root.find(path);
         T::deserialize(node).map_err(|misfit| {
             let found = misfit.locate(node);

@@ -37,13 +37,13 @@ pub(crate) use counts::counts;
 pub(crate) use density::density;
 pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
-pub use roulette::roulette;
+pub(crate) use roulette::roulette;
 pub(crate) use roulette::roulette_of;
 pub(crate) use zero_variance::zero_variance;
 
 /// Every identity that `subject` violates: those of its scene, those that hold for all, those of its kind.
 #[must_use]
-pub fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
+pub(crate) fn facts(subject: &Subject, seed: u64) -> Vec<Fact> {
     let probe = Probe { terms: subject.terms(), block: &|block, rows| rows::draw(subject, seed, block, rows) };
     let mut facts = subject.experiment.scene_facts();
     facts.extend(reproducible::fact(subject, seed));

@@ -10,7 +10,7 @@
 //! Cases are read by [`case::CaseFile`] and run by [`run::run`]; [`power::power`] finds how many draws a fault needs to be seen.
 
 pub mod agree;
-pub mod audit;
+mod audit;
 mod blocks;
 pub mod case;
 pub mod collect;
@@ -19,19 +19,19 @@ pub mod diagnose;
 pub mod experiment;
 pub mod fault;
 mod hash;
-pub mod identities;
+mod identities;
 pub mod kind;
 pub mod microscope;
 pub mod noiseless;
 mod origin;
 pub mod power;
 pub mod program;
-pub mod ranking;
+mod ranking;
 pub mod run;
-pub mod sample;
+mod sample;
 pub mod samples;
 pub mod scene;
-pub mod scripted;
+mod scripted;
 pub mod soak;
 pub mod source;
 pub mod subject;

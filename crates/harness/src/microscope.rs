@@ -27,7 +27,8 @@ use rayon::prelude::*;
 
 mod net;
 
-pub use net::{DIMENSIONS, MOST_POINTS, Net};
+pub use net::MOST_POINTS;
+use net::Net;
 
 /// The interval misses the bias with this probability.
 pub const LEVEL: f64 = 1e-3;

@@ -1,10 +1,12 @@
-//! What statistics cannot see: [`scripted`] generators and [`identities`], for every subject and without noise.
+//! What statistics cannot see: scripted generators and identities, for every subject and without noise.
 
 use crate::experiment::Plan;
 use crate::identities;
 use crate::scripted::scripted;
 use crate::subject::Subject;
 use freepath_statistics::Fact;
+
+pub use crate::identities::{medium, parts, reversal, stretch};
 
 /// Every contradiction that needs no statistics: facts of stage 1.
 ///

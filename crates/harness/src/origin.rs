@@ -14,7 +14,7 @@ pub enum Origin {
 impl Origin {
     /// The file, if it is one.
     #[must_use]
-    pub fn file(&self) -> Option<&SampleFile> {
+    pub(crate) fn file(&self) -> Option<&SampleFile> {
         match self {
             Self::File(file) => Some(file),
             Self::Program(_) => None,
@@ -23,7 +23,7 @@ impl Origin {
 
     /// What a program has said on standard error.
     #[must_use]
-    pub fn log(&self) -> String {
+    pub(crate) fn log(&self) -> String {
         match self {
             Self::File(_) => String::new(),
             Self::Program(program) => program.log(),
@@ -32,19 +32,19 @@ impl Origin {
 
     /// Bits of the numbers.
     #[must_use]
-    pub fn resolution_bits(&self) -> u32 {
+    pub(crate) fn resolution_bits(&self) -> u32 {
         self.file().map_or(f64::MANTISSA_DIGITS, SampleFile::resolution_bits)
     }
 
     /// How far every claim may be off.
     #[must_use]
-    pub fn tolerance(&self) -> f64 {
+    pub(crate) fn tolerance(&self) -> f64 {
         self.file().map_or(0.0, SampleFile::tolerance)
     }
 
     /// What is read.
     #[must_use]
-    pub fn source(&self) -> &dyn SampleSource {
+    pub(crate) fn source(&self) -> &dyn SampleSource {
         match self {
             Self::File(file) => file,
             Self::Program(program) => program,

@@ -37,8 +37,8 @@ mod process;
 mod rehearsal;
 mod request;
 
-pub use limits::{IDLE, IDLE_RANGE, TOTAL_PER_IDLE};
-pub use log::MOST_LOG;
+pub(crate) use limits::IDLE;
+pub use limits::IDLE_RANGE;
 pub(crate) use request::Setting;
 
 /// A program that is started for each stage.
@@ -75,9 +75,9 @@ impl Program {
         Ok(Self { argv, folder, idle, format, tolerance: *tolerance, request, log, _table: table })
     }
 
-    /// What it has written to standard error so far, in all its starts, up to [`MOST_LOG`] bytes.
+    /// What it has written to standard error so far, in all its starts, up to 64 KiB.
     #[must_use]
-    pub fn log(&self) -> String {
+    pub(crate) fn log(&self) -> String {
         self.log.text()
     }
 

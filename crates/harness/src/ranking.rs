@@ -9,17 +9,17 @@
 
 mod rankable;
 
-pub use rankable::{LnWork, Rankable, rankable};
+pub(crate) use rankable::{LnWork, Rankable, rankable};
 
 use freepath_statistics::holm;
 use freepath_statistics::special::{normal_quantile, normal_two_sided, student_t_two_sided};
 
 /// The family-wise error at which one estimator is called better than another, for all pairs of a case together.
-pub const RANKING_LEVEL: f64 = 0.05;
+pub(crate) const RANKING_LEVEL: f64 = 0.05;
 
 /// Two estimators compared: numbers are places among those given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Comparison {
+pub(crate) struct Comparison {
     /// The one that needs less work.
     pub better: usize,
     /// The other.
@@ -39,14 +39,14 @@ pub struct Comparison {
 impl Comparison {
     /// Whether the better one may be called so.
     #[must_use]
-    pub fn decided(&self) -> bool {
+    pub(crate) fn decided(&self) -> bool {
         self.p_adjusted <= RANKING_LEVEL
     }
 }
 
 /// All pairs, the better one first, in the order of their work.
 #[must_use]
-pub fn compare(work: &[LnWork]) -> Vec<Comparison> {
+pub(crate) fn compare(work: &[LnWork]) -> Vec<Comparison> {
     let mut order: Vec<usize> = (0..work.len()).collect();
     order.sort_by(|&a, &b| work[a].ln.total_cmp(&work[b].ln));
     let pairs = order.iter().enumerate().flat_map(|(i, &a)| order[i + 1..].iter().map(move |&b| (a, b)));
@@ -81,7 +81,7 @@ fn quantile(dof: Option<f64>) -> f64 {
 
 /// For each, one more than the number of those that are better for certain.
 #[must_use]
-pub fn ranks(count: usize, pairs: &[Comparison]) -> Vec<usize> {
+pub(crate) fn ranks(count: usize, pairs: &[Comparison]) -> Vec<usize> {
     let beaten = |i: usize| pairs.iter().filter(|pair| pair.worse == i && pair.decided()).count();
     (0..count).map(|i| 1 + beaten(i)).collect()
 }

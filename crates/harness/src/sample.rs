@@ -14,7 +14,7 @@ use std::time::Instant;
 
 /// What a block left behind beside its draws.
 #[derive(Clone, Copy, Debug)]
-pub struct BlockRecord {
+pub(crate) struct BlockRecord {
     /// Its look-ups.
     pub audit: Audit,
     /// Seconds that the subject took.
@@ -23,7 +23,7 @@ pub struct BlockRecord {
 
 /// Why a block was not finished.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unfinished {
+pub(crate) enum Unfinished {
     /// The subject ran past its budget of look-ups or random words, in words.
     Spent(String),
     /// It panicked or spoilt its block, in words.
@@ -33,7 +33,7 @@ pub enum Unfinished {
 impl Unfinished {
     /// In words.
     #[must_use]
-    pub fn words(self) -> String {
+    pub(crate) fn words(self) -> String {
         match self {
             Self::Spent(why) | Self::Broken(why) => why,
         }
@@ -44,7 +44,7 @@ impl Unfinished {
 ///
 /// # Errors
 /// If the subject panics or runs past its budget, in words.
-pub fn sample_block(
+pub(crate) fn sample_block(
     subject: &Subject,
     key: Key,
     first: u64,
@@ -66,7 +66,11 @@ pub fn sample_block(
 ///
 /// # Errors
 /// If the subject panics or runs past its budget.
-pub fn sample_from(subject: &Subject, streams: Streams, draws: &mut Draws) -> Result<BlockRecord, Unfinished> {
+pub(crate) fn sample_from(
+    subject: &Subject,
+    streams: Streams,
+    draws: &mut Draws,
+) -> Result<BlockRecord, Unfinished> {
     sample_watched(subject, streams, draws, None)
 }
 

@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
 pub use escapes::{Escape, EscapeRule, Escapes};
-pub use file::{Request, SINGLE_TOLERANCE, SampleFile};
+pub use file::{Request, SampleFile};
 pub use row_format::{ColumnFormat, Excess, Fills, Place, Reading, RowFormat};
 pub(crate) use row_reader::RowReader;
 

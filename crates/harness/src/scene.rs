@@ -55,7 +55,7 @@ macro_rules! scenes {
 
             /// The name of this one.
             #[must_use]
-            pub fn name(&self) -> &'static str {
+            pub(crate) fn name(&self) -> &'static str {
                 match self { $(Self::$file(_) => stringify!($file),)* }
             }
 
@@ -63,13 +63,13 @@ macro_rules! scenes {
             ///
             /// # Errors
             /// Naming the parameter.
-            pub fn check(&self) -> Result<(), ParameterError> {
+            pub(crate) fn check(&self) -> Result<(), ParameterError> {
                 match self { $(Self::$file(scene) => scene.check(),)* }
             }
 
             /// The scene.
             #[must_use]
-            pub fn build(&self) -> Arc<dyn Scene> {
+            pub(crate) fn build(&self) -> Arc<dyn Scene> {
                 match self { $(Self::$file(scene) => Arc::new(scene.clone()),)* }
             }
         }
@@ -99,7 +99,7 @@ impl Scene for MediumScene {
 }
 
 /// Homogeneous channels.
-pub struct ChannelScene(pub ChromaticMedium);
+pub(crate) struct ChannelScene(pub ChromaticMedium);
 
 impl Scene for ChannelScene {
     fn views(&self) -> Vec<View<'_>> {

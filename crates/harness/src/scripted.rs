@@ -32,7 +32,7 @@ use freepath_statistics::tally::Audit;
 mod script;
 mod thick;
 
-pub use script::Scripted;
+pub(crate) use script::Scripted;
 
 /// The record of the check.
 pub(crate) const CHECK: Check = Check {
@@ -52,7 +52,7 @@ const MOST_LOOKUPS: u64 = 1_000_000;
 
 /// What the ends of [0, 1) bring out in `subject`: at most one fact for each method and reason.
 #[must_use]
-pub fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
+pub(crate) fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
     let routes = if subject.one_by_one() { &[Route::Scalar] } else { subject.experiment.routes() };
     routes.iter().flat_map(|&route| by(&Subject { route, ..subject.clone() }, plan, seed)).collect()
 }

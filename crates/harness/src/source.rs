@@ -4,4 +4,4 @@ mod nodes;
 mod volume;
 
 pub use nodes::read_nodes;
-pub use volume::read_volume;
+pub(crate) use volume::read_volume;

@@ -9,7 +9,7 @@ pub use crate::blocks::BLOCK;
 pub use crate::experiment::{DRAWS, Route};
 
 /// Look-ups and random words that a block may take, per draw.
-pub const BUDGET_PER_DRAW: u64 = 2_000_000;
+pub(crate) const BUDGET_PER_DRAW: u64 = 2_000_000;
 
 /// A subject in a scene.
 #[derive(Clone)]
@@ -62,13 +62,13 @@ impl<'a> Subject<'a> {
 
     /// Whether the scalar method is driven: by choice, or since a fault asks for it.
     #[must_use]
-    pub fn one_by_one(&self) -> bool {
+    pub(crate) fn one_by_one(&self) -> bool {
         self.route == Route::Scalar || Fault::need_scalar(self.faults)
     }
 
     /// How far its claims go.
     #[must_use]
-    pub fn terms(&self) -> Terms<'a> {
+    pub(crate) fn terms(&self) -> Terms<'a> {
         Terms {
             tolerance: self.tolerance,
             bits: self.bits,
@@ -97,7 +97,7 @@ impl<'a> Subject<'a> {
 
     /// Whether every draw is made already: then the second stage is read, whatever the first gives.
     #[must_use]
-    pub fn finished(&self) -> bool {
+    pub(crate) fn finished(&self) -> bool {
         self.experiment.external().is_some_and(crate::samples::SampleSource::finished)
     }
 

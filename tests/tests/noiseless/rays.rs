@@ -20,7 +20,7 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> std::sync::Arc<dyn Medium> {
 
 #[test]
 fn rays_through_a_grid_fit_together() {
-    use freepath_harness::identities::{medium, parts, reversal, stretch};
+    use freepath_harness::noiseless::{medium, parts, reversal, stretch};
     let (from, to) = ([-0.5, 0.7, 0.4], [3.5, 4.1, 3.2]);
     let along = |a: [f64; 3], b: [f64; 3], by: f64| [0, 1, 2].map(|k| by * (b[k] - a[k]));
     let there = ray(from, along(from, to, 1.0));

@@ -50,7 +50,7 @@ impl Medium for Changed {
 
 #[test]
 fn a_medium_that_contradicts_itself_is_seen() {
-    use freepath_harness::identities::medium;
+    use freepath_harness::noiseless::medium;
     let says = |medium_: &dyn Medium, what: &str| {
         let fact = medium(medium_);
         assert!(fact.as_ref().is_some_and(|fact| fact.words.contains(what)), "{what}: {fact:?}");

@@ -19,7 +19,7 @@ impl<K: Kind> External<K> {
 
     /// Its name in its list.
     #[must_use]
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         self.name
     }
 

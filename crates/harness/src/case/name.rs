@@ -20,13 +20,13 @@ impl SubjectSpec {
 
     /// The name of what is under test.
     #[must_use]
-    pub fn estimator(&self) -> &'static str {
+    pub(crate) fn estimator(&self) -> &'static str {
         self.named().map_or("none", AnyNamed::name)
     }
 
     /// Planted faults, in their order.
     #[must_use]
-    pub fn faults(&self) -> &[Fault] {
+    pub(crate) fn faults(&self) -> &[Fault] {
         self.fault.as_ref().map_or(&[], |faults| &faults.0)
     }
 

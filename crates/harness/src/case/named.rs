@@ -32,7 +32,7 @@ pub enum Named<K: Kind> {
 impl<K: Kind> Named<K> {
     /// The names that a case may use, with those of installed [`Lists`](super::Lists).
     #[must_use]
-    pub fn names() -> &'static [&'static str] {
+    pub(crate) fn names() -> &'static [&'static str] {
         static NAMES: LazyLock<Mutex<HashMap<&str, &[&str]>>> = LazyLock::new(Mutex::default);
         let mut known = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
         known.entry(K::NAME).or_insert_with(|| {
@@ -43,7 +43,7 @@ impl<K: Kind> Named<K> {
 
     /// The name of this one.
     #[must_use]
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Control(_) => K::CONTROL.unwrap_or_default(),
             Self::Samples(_) => SAMPLES,

@@ -49,13 +49,13 @@ impl Diagnosis {
 
     /// The message alone, on one line, without the place.
     #[must_use]
-    pub fn message(&self) -> &str {
+    pub(crate) fn message(&self) -> &str {
         &self.0.message
     }
 
     /// The file's name as it was given, control characters escaped.
     #[must_use]
-    pub fn file(&self) -> &str {
+    pub(crate) fn file(&self) -> &str {
         &self.0.file
     }
 
@@ -73,7 +73,7 @@ impl Diagnosis {
 
     /// The JSON path of the place, like `subjects[2].free_path`, and empty for the whole file.
     #[must_use]
-    pub fn path(&self) -> &str {
+    pub(crate) fn path(&self) -> &str {
         &self.0.path
     }
 

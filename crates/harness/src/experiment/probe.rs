@@ -11,13 +11,13 @@ pub struct Probe<'a> {
 impl Probe<'_> {
     /// A block of its own; none if the subject does not finish it, which is found elsewhere.
     #[must_use]
-    pub fn draw(&self, block: u64, rows: usize) -> Option<Draws> {
+    pub(crate) fn draw(&self, block: u64, rows: usize) -> Option<Draws> {
         (self.block)(block, rows)
     }
 
     /// How far the claims on the subject go.
     #[must_use]
-    pub fn terms(&self) -> Terms<'_> {
+    pub(crate) fn terms(&self) -> Terms<'_> {
         self.terms
     }
 }

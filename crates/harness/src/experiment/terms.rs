@@ -54,7 +54,7 @@ impl Default for Terms<'_> {
 impl Terms<'_> {
     /// Whether what `withdrawal` would take back still stands.
     #[must_use]
-    pub fn stands(&self, withdrawal: Withdrawal) -> bool {
+    pub(crate) fn stands(&self, withdrawal: Withdrawal) -> bool {
         !self.without.contains(&withdrawal)
     }
 }

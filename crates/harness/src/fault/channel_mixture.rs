@@ -10,7 +10,7 @@ pub struct ChannelMixture<'a> {
 impl<'a> ChannelMixture<'a> {
     /// `channels` as `sampler` draws from them.
     #[must_use]
-    pub fn new(sampler: &'a dyn ChromaticSampler, channels: Vec<Channel<'a>>) -> Self {
+    pub(crate) fn new(sampler: &'a dyn ChromaticSampler, channels: Vec<Channel<'a>>) -> Self {
         Self { sampler, channels }
     }
 

@@ -37,7 +37,7 @@ fn grid(negative: bool) -> Vec<f64> {
 /// The integral is exact where `play` is piecewise constant in u with at most one jump in each 64th: jumps are found to the last
 /// bit.
 #[must_use]
-pub fn roulette(play: impl Fn(f64, f64) -> f64, negative: bool) -> Option<Fact> {
+pub(crate) fn roulette(play: impl Fn(f64, f64) -> f64, negative: bool) -> Option<Fact> {
     grid(negative).into_iter().find_map(|weight| {
         let mean = integral(&|u| play(weight, u));
         let kept = (mean - weight).abs() <= ROUNDING * weight.abs();

@@ -25,7 +25,7 @@ impl<K: Kind> Copy for Source<'_, K> {}
 impl<'a, K: Kind> Source<'a, K> {
     /// The sampler, if it is one.
     #[must_use]
-    pub fn sampler(&self) -> Option<&'a K::Sampler<'a>> {
+    pub(crate) fn sampler(&self) -> Option<&'a K::Sampler<'a>> {
         match self {
             Self::Sampler(sampler) => Some(sampler),
             Self::Control | Self::External(_) => None,
@@ -34,7 +34,7 @@ impl<'a, K: Kind> Source<'a, K> {
 
     /// Whether the rows are made elsewhere.
     #[must_use]
-    pub fn is_external(&self) -> bool {
+    pub(crate) fn is_external(&self) -> bool {
         match self {
             Self::External(_) => true,
             Self::Control | Self::Sampler(_) => false,

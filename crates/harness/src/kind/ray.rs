@@ -67,7 +67,7 @@ impl PlacedRay {
 
     /// A medium that is seen as it is.
     #[must_use]
-    pub fn plain(truth: Arc<dyn Medium>) -> Self {
+    pub(crate) fn plain(truth: Arc<dyn Medium>) -> Self {
         Self { seen: truth.clone(), truth }
     }
 

@@ -3,7 +3,7 @@ use rand::Rng;
 use sobol_burley::parts::sobol_rev;
 
 /// Coordinates of a point: random words of a walk that come from it.
-pub const DIMENSIONS: usize = 40;
+pub(crate) const DIMENSIONS: usize = 40;
 
 /// Points of a net at the most.
 pub const MOST_POINTS: u32 = 1 << DIGITS;
@@ -15,14 +15,14 @@ const DIGITS: u32 = 16;
 ///
 /// Digit j of a coordinate is flipped by a random bit that belongs to the digits before it: 2^16 - 1 bits for each coordinate,
 /// drawn once. Any two of the 2^16 points differ within 16 digits, so that all digits after those are independent.
-pub struct Net {
+pub(super) struct Net {
     flips: Vec<Vec<u64>>,
 }
 
 impl Net {
     /// The scrambling of `key`.
     #[must_use]
-    pub fn new(key: Key) -> Self {
+    pub(super) fn new(key: Key) -> Self {
         let mut rng = key.rng();
         let words = MOST_POINTS as usize / 64;
         Self { flips: (0..DIMENSIONS).map(|_| (0..words).map(|_| rng.next_u64()).collect()).collect() }
@@ -30,7 +30,7 @@ impl Net {
 
     /// The words of point `i`: 16 digits from the net, 48 independent ones from `rest`.
     #[must_use]
-    pub fn words(&self, i: u32, rest: &mut dyn Rng) -> Vec<u64> {
+    pub(super) fn words(&self, i: u32, rest: &mut dyn Rng) -> Vec<u64> {
         let word = |(dimension, flips): (usize, &Vec<u64>)| {
             let digits = sobol_rev(i.reverse_bits(), dimension as u32).reverse_bits() >> (32 - DIGITS);
             u64::from(scrambled(digits, flips)) << (64 - DIGITS) | rest.next_u64() >> DIGITS

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 /// The most bytes that are kept of a program's standard error.
-pub const MOST_LOG: usize = 64 << 10;
+pub(crate) const MOST_LOG: usize = 64 << 10;
 
 /// The beginning of what was said.
 #[derive(Default)]

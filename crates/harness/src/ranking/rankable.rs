@@ -6,7 +6,7 @@ use rand::RngExt;
 
 /// ln of variance times look-ups per draw, with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LnWork {
+pub(crate) struct LnWork {
     /// ln(V C).
     pub ln: f64,
     /// Its standard error.
@@ -19,7 +19,7 @@ pub struct LnWork {
 
 /// A rank by work, or the reason why there is none.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Rankable {
+pub(crate) enum Rankable {
     /// With this work.
     Ranked(LnWork),
     /// It has no variance: nothing to compare.
@@ -49,7 +49,7 @@ const FARTHEST: f64 = 5.0;
 /// The errors of V and of C, which depend on one another, are added, which bounds them. k is the Pareto shape of the tail where
 /// neither range nor formula says that it is light. `variance` and `kurtosis` are those by formula, where known.
 #[must_use]
-pub fn rankable(
+pub(crate) fn rankable(
     sums: &PowerSums,
     lookups: &BlockLookups,
     batches: &Batches,

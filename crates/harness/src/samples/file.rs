@@ -13,7 +13,7 @@ use std::path::Path;
 mod tests;
 
 /// The tolerance that single precision implies: one rounding, relative.
-pub const SINGLE_TOLERANCE: f64 = 6e-8;
+pub(crate) const SINGLE_TOLERANCE: f64 = 6e-8;
 
 /// What is asked of a file of samples.
 #[derive(Clone, Debug)]
@@ -100,7 +100,7 @@ impl SampleFile {
 
     /// Rows of the file that are not judged, because fewer were asked for.
     #[must_use]
-    pub fn left(&self) -> u64 {
+    pub(crate) fn left(&self) -> u64 {
         self.left
     }
 

@@ -133,7 +133,7 @@ impl RowFormat {
 
     /// How many numbers a row has where nothing else says it.
     #[must_use]
-    pub fn across(&self) -> usize {
+    pub(crate) fn across(&self) -> usize {
         let whole = self.columns.iter().all(|column| column.place == Place::Named);
         if whole { self.columns.len() } else { 1 }
     }
@@ -142,7 +142,7 @@ impl RowFormat {
     ///
     /// # Errors
     /// If one is not there, or the table says that it is of something else.
-    pub fn select(&self, head: &Head) -> Result<Vec<Selected>, Refusal> {
+    pub(crate) fn select(&self, head: &Head) -> Result<Vec<Selected>, Refusal> {
         let find = |(i, column): (usize, &ColumnFormat)| {
             let place = match &column.place {
                 Place::Only => only(head)?,

@@ -37,7 +37,7 @@ impl Density1d {
     ///
     /// # Errors
     /// Naming the parameter that makes none.
-    pub fn target(&self) -> Result<Target, ParameterError> {
+    pub(crate) fn target(&self) -> Result<Target, ParameterError> {
         match (&self.pdf, &self.cdf) {
             (Some(pdf), None) => Target::of_pdf(pdf, self.domain, &self.breaks, &self.atoms),
             (None, Some(_)) if !self.breaks.is_empty() => {

@@ -25,7 +25,7 @@ const WORDS: [(&str, u64); 7] = [
 
 /// A script with its name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Scripted {
+pub(crate) struct Scripted {
     /// Which uniform, and where.
     pub name: String,
     /// The words.
@@ -35,7 +35,7 @@ pub struct Scripted {
 impl Scripted {
     /// Every script: those that fill the first 64 positions, then each word at position 1, at position 2, and so on. `key` gives the words
     /// before it.
-    pub fn all(key: Key) -> impl Iterator<Item = Self> {
+    pub(crate) fn all(key: Key) -> impl Iterator<Item = Self> {
         Self::fillings().chain(Self::prefixes(key, POSITIONS))
     }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// Those of [`freepath_formats::read_volume`].
-pub fn read_volume(path: &Path, wanted: &VolumeRequest) -> Result<Volume, ReadError> {
+pub(crate) fn read_volume(path: &Path, wanted: &VolumeRequest) -> Result<Volume, ReadError> {
     let VolumeRequest { file: _, channel, raw, grid, voxels } = *wanted;
     let (raw, voxels) = (raw.map(layout), voxels.copied());
     let request = freepath_formats::VolumeRequest { channel, raw, grid, voxels };
