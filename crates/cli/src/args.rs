@@ -12,7 +12,7 @@ pub(crate) use check::Check;
 pub(crate) use microscope::Microscope;
 pub(crate) use soak::Soak;
 
-/// Statistical verification of free-path samplers and transmittance estimators.
+/// Statistical verification of Monte Carlo samplers and estimators.
 #[derive(Debug, Parser)]
 #[command(name = "freepath", version, max_term_width = 100, after_help = EXIT_CODES)]
 pub(crate) struct Command {

@@ -6,10 +6,9 @@ use crate::experiment::Plan;
 use crate::noiseless;
 use crate::origin::Origin;
 use crate::subject::{BLOCK, Subject};
-use freepath_results::{Grown, Real, Results, SCHEMA_VERSION, SubjectTiming, Verdict};
+use freepath_results::Grown;
 use freepath_statistics::Judged;
-use freepath_statistics::REPORTING_LEVEL;
-use freepath_statistics::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, adjust, decide, suspect};
+use freepath_statistics::decide::{STAGE_ALPHA, adjust, suspect};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
@@ -19,10 +18,12 @@ mod efficiency;
 mod expect;
 mod grow;
 mod media;
+mod outcome;
 mod subjects;
 
 pub use expect::{Expected, expected};
 pub use media::medium_result;
+pub use outcome::{Outcome, exit_code};
 pub use subjects::{id, quoted};
 
 /// What a run needs to know beside its cases.
@@ -44,14 +45,6 @@ pub enum Progress {
     Planned(u64),
     /// So many more draws are done.
     Done(u64),
-}
-
-/// The results, and what depends on the clock.
-pub struct Outcome {
-    /// results.json.
-    pub results: Results,
-    /// The part of timings.json that the run knows.
-    pub timings: Vec<SubjectTiming>,
 }
 
 /// The run was cancelled.
@@ -107,7 +100,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     let first = adjust(trials.iter().map(|trial| Some(&trial.first.judged)));
     let second = adjust(trials.iter().map(|trial| trial.second.as_ref().map(|(judged, _)| judged)));
     let adjusted = [first.0, second.0];
-    Ok(outcome(cases, &trials, &adjusted, options))
+    Ok(outcome::outcome(cases, &trials, &adjusted, options))
 }
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {
@@ -231,55 +224,4 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     }
     *second = Some((judged, draws));
     Ok(())
-}
-
-/// The adjusted p-values of both stages: by stage, by subject, by piece of evidence.
-type Adjustments = [Vec<Vec<Option<f64>>>; 2];
-
-fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options: &Options) -> Outcome {
-    let count = |stage: &[Vec<Option<f64>>]| stage.iter().flatten().flatten().count();
-    let mut results = Vec::new();
-    for (i, trial) in trials.iter().enumerate() {
-        let first = Stage { judged: &trial.first.judged, adjusted: &adjusted[0][i] };
-        let second = trial.second.as_ref().map(|(judged, _)| Stage { judged, adjusted: &adjusted[1][i] });
-        let decision: Decision = decide(first, second);
-        let result = subjects::result(cases, trial, first, second, decision, options);
-        results.push(subjects::diagnosed(result));
-    }
-    let timing = |(trial, result): (&Trial, &freepath_results::SubjectResult)| SubjectTiming {
-        id: result.id.clone(),
-        seconds: Real(trial.seconds),
-        draws: result.draws,
-        log: trial.prepared.source.as_deref().map(Origin::log).unwrap_or_default(),
-    };
-    let timings = trials.iter().zip(&results).map(timing).collect();
-    let rankings = efficiency::rankings(trials, &results);
-    let results = Results {
-        schema_version: SCHEMA_VERSION,
-        version: env!("CARGO_PKG_VERSION").into(),
-        seed: options.seed,
-        alpha: Real(ALPHA),
-        stage_alpha: Real(STAGE_ALPHA),
-        reporting_level: Real(REPORTING_LEVEL),
-        p_values: [count(&adjusted[0]), count(&adjusted[1])],
-        repro: options.repro.clone(),
-        media: cases.iter().map(medium_result).collect(),
-        results,
-        rankings,
-    };
-    Outcome { results, timings }
-}
-
-/// The exit code that `results` call for: 1 if anything is not as expected and judged, 4 if something is inconclusive that
-/// should not be and nothing is worse, else 0.
-#[must_use]
-pub fn exit_code(results: &Results) -> u8 {
-    let surprises: Vec<_> = results.results.iter().filter(|result| !result.as_expected).collect();
-    if surprises.is_empty() {
-        0
-    } else if surprises.iter().all(|result| result.verdict == Verdict::Inconclusive) {
-        4
-    } else {
-        1
-    }
 }

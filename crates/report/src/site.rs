@@ -2,7 +2,7 @@
 
 use crate::SideFiles;
 use crate::shown::at_most;
-use crate::text::{Slugs, clean};
+use crate::text::{Slugs, clean, words};
 use freepath_results::{MediumResult, Results, SubjectResult, Timings};
 use std::collections::{HashMap, HashSet};
 
@@ -91,6 +91,18 @@ impl<'a> Site<'a> {
     /// The subject of this id in the results.
     pub(crate) fn find(&self, id: &str) -> Option<&Subject<'a>> {
         self.subjects.iter().find(|subject| subject.result.id == id)
+    }
+
+    /// Where a kind stands among those that the results list: behind them all if it is not among them.
+    pub(crate) fn rank_of_kind(&self, kind: &str) -> usize {
+        let kinds = &self.results.kinds;
+        kinds.iter().position(|listed| listed.name == kind).unwrap_or(kinds.len())
+    }
+
+    /// What the results call the subjects of a kind, or else its name in words.
+    pub(crate) fn heading_of_kind(&self, kind: &str) -> String {
+        let listed = self.results.kinds.iter().find(|listed| listed.name == kind);
+        listed.map_or_else(|| words(kind), |listed| listed.heading.clone())
     }
 
     /// How many subjects are as expected and not shown.

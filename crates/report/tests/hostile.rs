@@ -40,6 +40,7 @@ fn few_subjects() -> Results {
 fn attacked() -> Results {
     let mut results = few_subjects();
     (results.version, results.repro) = (ATTACK.into(), ATTACK.into());
+    results.kinds.iter_mut().for_each(|k| (k.name, k.heading) = (ATTACK.into(), ATTACK.into()));
     for medium in &mut results.media {
         (medium.case, medium.file, medium.medium) = (ATTACK.into(), ATTACK.into(), ATTACK.into());
         medium.parameters = serde_json::json!({ ATTACK: ATTACK });
@@ -50,6 +51,7 @@ fn attacked() -> Results {
         (r.kind, r.expected, r.repro) = (ATTACK.into(), ATTACK.into(), ATTACK.into());
         (r.notes, r.faults) = (vec![ATTACK.into()], vec![ATTACK.into()]);
         r.parameters = serde_json::json!(ATTACK);
+        r.claims.iter_mut().for_each(|c| (c.name, c.statement) = (ATTACK.into(), ATTACK.into()));
         r.tests.iter_mut().for_each(|t| (t.name, t.note) = (ATTACK.into(), ATTACK.into()));
         r.channels.iter_mut().for_each(|c| c.event = ATTACK.into());
         r.order.iter_mut().for_each(|o| o.rule = ATTACK.into());

@@ -3,6 +3,7 @@
 mod support;
 
 use freepath_report::{Options, SideFiles, html, json, run_id};
+use freepath_results::Results;
 use std::collections::HashSet;
 
 /// What follows `before` up to the next quote, at every place.
@@ -195,4 +196,38 @@ fn a_page_without_plots_beside_it_does_not_link_to_them() {
     let (results, _) = support::run();
     let options = Options { png: false, svg: false, run: None };
     assert!(!options.html(&results, &SideFiles::default()).unwrap().contains("href=\"plots/"));
+}
+
+#[test]
+fn kinds_have_the_words_and_the_order_of_the_results() {
+    let (mut results, _) = support::run();
+    let headings = |results: &Results| -> Vec<String> {
+        let page = html(results, None).unwrap();
+        let groups = page.split("<th scope=\"rowgroup\"").skip(1);
+        groups.filter_map(|rest| Some(rest.split_once("<span>")?.1.split_once('<')?.0.to_string())).collect()
+    };
+    let listed = ["Free-path samplers", "Transmittance estimators", "Chromatic samplers"];
+    assert_eq!(headings(&results), listed);
+    results.kinds.reverse();
+    assert_eq!(headings(&results), listed.map(str::to_string).into_iter().rev().collect::<Vec<_>>());
+    results.kinds.clear();
+    assert_eq!(
+        headings(&results),
+        ["chromatic", "free path", "transmittance"],
+        "results of before they were listed"
+    );
+}
+
+#[test]
+fn results_of_before_kinds_and_claims_were_listed_are_read() {
+    let (results, _) = support::run();
+    let mut older: serde_json::Value = serde_json::from_str(&json(&results).unwrap()).unwrap();
+    let removed = older.as_object_mut().unwrap().remove("kinds");
+    assert!(removed.is_some());
+    for subject in older["results"].as_array_mut().unwrap() {
+        assert!(subject.as_object_mut().unwrap().remove("claims").is_some());
+    }
+    let read: Results = serde_json::from_value(older).unwrap();
+    assert!(read.kinds.is_empty() && html(&read, None).unwrap().contains(&read.results[0].subject));
+    assert!(html(&results, None).unwrap().contains("<li>no look-up exceeds the majorant that held there"));
 }

@@ -15,7 +15,9 @@
 #![forbid(unsafe_code)]
 
 mod advice;
+mod claim;
 mod grown;
+mod kind;
 mod law;
 mod mean;
 mod medium;
@@ -29,7 +31,9 @@ mod subject;
 mod timings;
 mod verdict;
 
+pub use claim::ClaimResult;
 pub use grown::{Grown, GrownOutcome};
+pub use kind::KindResult;
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, LifeTable, ResidualSeries};
 pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
 pub use medium::{MediumResult, MediumSeries};

@@ -35,7 +35,7 @@ pub struct MeanResult {
     pub grown: Option<Grown>,
 }
 
-/// One channel of a chromatic sampler: the weighted mean of one event.
+/// One channel: the weighted mean of one event.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct ChannelResult {
     /// Which channel, from 0.

@@ -57,7 +57,7 @@ pub struct PowerRow {
     pub subject: String,
     /// The estimator's name in `freepath list`.
     pub estimator: String,
-    /// `free_path`, `transmittance` or `chromatic`.
+    /// The key under which the case names it.
     pub kind: String,
     /// The planted faults with their parameters, in words; empty if there is none.
     pub fault: String,

@@ -1,7 +1,7 @@
 use crate::Real;
 use serde::{Deserialize, Serialize};
 
-/// The transmittance estimators of one medium by efficiency, 1 / (variance x look-ups).
+/// The estimators of one medium by efficiency, 1 / (variance x look-ups).
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Ranking {
     /// Index into [`Results::media`](crate::Results::media).

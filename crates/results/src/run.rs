@@ -1,4 +1,4 @@
-use crate::{MediumResult, Ranking, Real, SubjectResult};
+use crate::{KindResult, MediumResult, Ranking, Real, SubjectResult};
 use serde::{Deserialize, Serialize};
 
 /// The version of this format. Fields are added, never renamed.
@@ -23,11 +23,14 @@ pub struct Results {
     pub p_values: [usize; 2],
     /// The command that gives these results again.
     pub repro: String,
+    /// The kinds of the subjects, in the order in which they are told; none in results of before they were listed.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub kinds: Vec<KindResult>,
     /// The media, one for each case and ray.
     pub media: Vec<MediumResult>,
     /// One for each subject, case and ray.
     pub results: Vec<SubjectResult>,
-    /// The transmittance estimators of each medium by efficiency.
+    /// The estimators of each medium by efficiency.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rankings: Vec<Ranking>,
 }

@@ -1,4 +1,4 @@
-use crate::{ChannelResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict};
+use crate::{ChannelResult, ClaimResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// What was found of one subject in one medium.
@@ -18,7 +18,7 @@ pub struct SubjectResult {
     pub subject: String,
     /// The estimator's name in `freepath list`.
     pub estimator: String,
-    /// `free_path`, `transmittance` or `chromatic`.
+    /// The key under which the case names it: one of [`Results::kinds`](crate::Results::kinds).
     pub kind: String,
     /// The subject as the case has it.
     pub parameters: serde_json::Value,
@@ -48,13 +48,16 @@ pub struct SubjectResult {
     /// Rows of a file of samples that were not judged, since fewer were asked for.
     #[serde(skip_serializing_if = "is_zero", default)]
     pub draws_left: u64,
-    /// The mean of a transmittance estimator.
+    /// What is claimed of it, beside what was found of each claim; none in results of before they were listed.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub claims: Vec<ClaimResult>,
+    /// Of the claim of a mean.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub mean: Option<MeanResult>,
-    /// The law of a sampler.
+    /// Of the claim of a law.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub law: Option<LawResult>,
-    /// The weighted means of a chromatic sampler.
+    /// Of the claims of weighted means, channel by channel.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub channels: Vec<ChannelResult>,
     /// Every test of both stages.

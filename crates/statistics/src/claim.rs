@@ -9,7 +9,7 @@ use crate::evidence::Fact;
 use crate::fold::{Folds, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -102,6 +102,9 @@ pub struct Finding {
 
 /// A checkable statement about columns of draws.
 pub trait Claim: Send + Sync {
+    /// The claim in words, for the results; none of what only serves a gate, a ranking, or a comparison with another setting.
+    fn statement(&self) -> Option<ClaimResult>;
+
     /// The withdrawals that take this claim back.
     fn withdrawn_by(&self) -> &'static [Withdrawal];
 
@@ -208,7 +211,8 @@ impl<'a> Claims<'a> {
     /// What all of them add to the results; without tallies of a subject that did not finish its draws.
     #[must_use]
     pub fn summary(&self, tallies: Option<&Tallies>) -> Summary {
-        let mut summary = Summary::default();
+        let claims = self.iter().filter_map(Claim::statement).collect();
+        let mut summary = Summary { claims, ..Summary::default() };
         self.iter().for_each(|claim| claim.state(&mut summary));
         if let Some(tallies) = tallies {
             self.iter().for_each(|claim| claim.summarize(tallies, &mut summary));

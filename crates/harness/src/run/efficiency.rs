@@ -1,4 +1,4 @@
-//! Efficiency of each transmittance estimator, and the ranking of those of one medium.
+//! Efficiency of each estimator, and the ranking of those of one medium.
 
 use super::Trial;
 use crate::ranking::{Comparison, LnWork, RANKING_LEVEL, Rankable, compare, rankable, ranks};
@@ -61,7 +61,7 @@ fn assess(trial: &Trial, contender: &Contender, verdict: Verdict) -> Rankable {
     }
 }
 
-/// One ranking for each medium with estimators of its transmittance.
+/// One ranking for each medium with estimators that can be compared.
 pub(super) fn rankings(trials: &[Trial], results: &[SubjectResult]) -> Vec<Ranking> {
     let media: std::collections::BTreeSet<usize> = results.iter().map(|result| result.medium).collect();
     let all = || trials.iter().zip(results);

@@ -19,9 +19,8 @@ pub(super) fn result(
 ) -> SubjectResult {
     let Trial { case, prepared, .. } = trial;
     let expected = expectation(trial, &decision);
-    let seen = trial.first.collected.as_ref().map(|seen| &seen.tallies);
-    let summary = trial.plan.claims.summary(seen).grown(grown(trial, first, second).as_ref());
-    let Summary { mean, law, channels, series, lookups, lookups_expected, audit, order } = summary;
+    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order } =
+        summary(trial, grown(trial, first, second).as_ref());
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -42,9 +41,10 @@ pub(super) fn result(
         faults: prepared.faults.iter().map(|fault| fault.name().into()).collect(),
         masks_fault: prepared.spec.masks_fault,
         draws_requested: prepared.draws,
-        draws: seen.map_or(0, |seen| seen.draws),
+        draws: trial.first.collected.as_ref().map_or(0, |seen| seen.tallies.draws),
         draws_left: prepared.source.as_deref().and_then(Origin::file).map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
+        claims,
         mean,
         law,
         channels,
@@ -57,6 +57,12 @@ pub(super) fn result(
         efficiency: efficiency(trial, decision.verdict),
         order: order.and_then(|order| order_result(trial, order)),
     }
+}
+
+/// What the claims add, after the decision.
+fn summary(trial: &Trial, grown: Option<&Grown>) -> Summary {
+    let seen = trial.first.collected.as_ref().map(|seen| &seen.tallies);
+    trial.plan.claims.summary(seen).grown(grown)
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> Expected {

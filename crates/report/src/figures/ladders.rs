@@ -18,15 +18,17 @@ pub(crate) fn of(members: &[&Subject]) -> Vec<Ladder> {
             groups.entry(key).or_default().push((order, subject.result));
         }
     }
-    groups.into_iter().filter_map(|((kind, rule), members)| ladder(kind, rule, members)).collect()
+    groups.into_iter().filter_map(|((_, rule), members)| ladder(rule, members)).collect()
 }
 
-fn ladder(kind: &str, rule: &str, mut members: Vec<(&OrderResult, &SubjectResult)>) -> Option<Ladder> {
+fn ladder(rule: &str, mut members: Vec<(&OrderResult, &SubjectResult)>) -> Option<Ladder> {
     members.sort_by_key(|(order, _)| order.steps);
     members.dedup_by_key(|(order, _)| order.steps);
-    let predicted = members.first()?.0.predicted.0;
+    let (order, first) = members.first()?;
+    let measure = if first.mean.is_some() { "bias" } else { "distance from the law" };
+    let predicted = order.predicted.0;
     let rungs: Vec<Rung> = members.iter().filter_map(|(order, result)| rung(order, result)).collect();
-    let ladder = Ladder { rule: clean(rule, 40), kind: kind.into(), predicted, rungs };
+    let ladder = Ladder { rule: clean(rule, 40), measure, predicted, rungs };
     (ladder.rungs.len() >= FEWEST).then_some(ladder)
 }
 

@@ -1,6 +1,6 @@
 //! Estimators against media: a letter for each verdict.
 
-use super::words::{class, kind, letter};
+use super::words::{class, letter};
 use crate::site::{Site, Subject};
 use crate::text::{clean, words};
 use std::collections::BTreeMap;
@@ -59,19 +59,15 @@ impl Matrix {
         let mut groups: BTreeMap<(usize, &str), BTreeMap<String, Vec<&Subject>>> = BTreeMap::new();
         for subject in site.subjects.iter().filter(|s| !s.is_control()) {
             let kind = subject.result.kind.as_str();
-            let rows = groups.entry((rank(kind), kind)).or_default();
+            let rows = groups.entry((site.rank_of_kind(kind), kind)).or_default();
             rows.entry(row_name(subject)).or_default().push(subject);
         }
         let groups = groups.into_iter().map(|((_, name), rows)| Group {
-            name: clean(&kind(name), 60),
+            name: clean(&site.heading_of_kind(name), 60),
             rows: rows.into_iter().map(|(name, members)| row(name, &members, &used)).collect(),
         });
         Self { columns, groups: groups.collect() }
     }
-}
-
-fn rank(kind: &str) -> usize {
-    ["free_path", "transmittance", "chromatic"].iter().position(|k| *k == kind).unwrap_or(3)
 }
 
 /// The estimator, with its rule if it has one, since each rule is a method of its own.

@@ -10,7 +10,7 @@ use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{FactResult, Real, Reason, SubjectResult, TestResult};
 
-/// Most notes and tests that are shown of one subject.
+/// Most claims, notes and tests that are shown of one subject.
 const MOST: usize = 60;
 
 /// Most lines of a program's standard error that are shown.
@@ -31,6 +31,7 @@ pub(crate) struct SubjectView {
     pub(crate) faults: String,
     pub(crate) draws: String,
     pub(crate) parameters: String,
+    pub(crate) claims: Vec<String>,
     pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
     /// What is shown only in part.
@@ -87,6 +88,7 @@ impl SubjectView {
             faults: clean(&crate::text::words(&result.faults.join(", ")), 200),
             draws: draws(subject),
             parameters: clean(&result.parameters.to_string(), 600),
+            claims: result.claims.iter().take(MOST).map(|claim| clean(&claim.statement, 200)).collect(),
             facts: result.facts.iter().take(MOST).map(fact).collect(),
             tests: tests(result).into_iter().map(test).collect(),
             left_out: left_out(result),
@@ -122,6 +124,7 @@ fn left_out(result: &SubjectResult) -> String {
     let rejected = |tests: &mut dyn Iterator<Item = &TestResult>| tests.filter(|test| test.rejected).count();
     let unseen = rejected(&mut result.tests.iter()) - rejected(&mut tests(result).into_iter());
     let lengths = [
+        ("claims", result.claims.len()),
         ("notes", result.notes.len()),
         ("facts", result.facts.len()),
         ("tests", result.tests.len()),

@@ -85,7 +85,7 @@ fn lead(site: &Site, caught: usize, hidden: usize) -> String {
         n => format!(" {n} carry faults that are harmless or hidden by their setting, and must pass."),
     };
     format!(
-        "Each free-path sampler and transmittance estimator was put to every claim that it makes, in {} media.{planted} \
+        "Each subject was put to every claim that is made of it, in {} media.{planted} \
          The chance that a right one is called wrong, anywhere in this run, is at most {}.",
         site.cases.len(),
         short(site.results.alpha.0)

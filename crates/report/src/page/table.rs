@@ -118,7 +118,7 @@ fn smallest_p(result: &SubjectResult) -> Option<f64> {
     of(2).or_else(|| of(1))
 }
 
-/// Bias or distance, bound and detectable; of a chromatic sampler, those of its worst channel.
+/// Bias or distance, bound and detectable; of several channels, those of the worst.
 fn measures(result: &SubjectResult) -> [Option<f64>; 3] {
     let of = |m: &MeanResult| [Some(m.bias.0), Some(m.bound.0), Some(m.detectable.0)];
     if let Some(mean) = &result.mean {

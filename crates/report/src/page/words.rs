@@ -2,7 +2,7 @@
 
 use crate::number::{count, short};
 use crate::site::Subject;
-use crate::text::{clean, words};
+use crate::text::clean;
 use freepath_results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, Verdict};
 
 /// The letter of a verdict in the matrix.
@@ -171,15 +171,5 @@ pub(crate) fn audit(subject: &Subject) -> String {
             "Look-ups of μ are not known: the draws come from a program.".into()
         }
         None => "Look-ups of μ are not known: the draws come from a file.".into(),
-    }
-}
-
-/// `free_path` and its kin, for people.
-pub(crate) fn kind(kind: &str) -> String {
-    match kind {
-        "free_path" => "Free-path samplers".into(),
-        "transmittance" => "Transmittance estimators".into(),
-        "chromatic" => "Chromatic samplers".into(),
-        other => words(other),
     }
 }

@@ -24,7 +24,8 @@ pub(crate) struct Rung {
 /// All step counts of one rule on one ray.
 pub(crate) struct Ladder {
     pub(crate) rule: String,
-    pub(crate) kind: String,
+    /// What is measured, in words: a bias, or a distance from a law.
+    pub(crate) measure: &'static str,
     pub(crate) predicted: f64,
     /// By step count.
     pub(crate) rungs: Vec<Rung>,
@@ -33,7 +34,7 @@ pub(crate) struct Ladder {
 /// |bias| against step count, with the order that fits and the one that is predicted.
 pub(crate) fn figure(ladder: &Ladder, name: &'static str, title: &str) -> Figure {
     let found = ladder_fit(ladder);
-    let what = if ladder.kind == "free_path" { "distance from the law" } else { "bias" };
+    let what = ladder.measure;
     let mut text = match &found {
         Some(fit) => format!(
             "Order of the {what}: fitted {:.2} ({:.2} to {:.2}), predicted {}. ",

@@ -5,7 +5,9 @@ mod noise;
 mod side_files;
 mod subjects;
 
-use freepath_results::{Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings};
+use freepath_results::{
+    KindResult, Ranked, RankedPair, Ranking, Refused, Results, SubjectResult, SubjectTiming, Timings,
+};
 use media::Medium;
 use noise::Noise;
 pub(crate) use side_files::side_files;
@@ -41,11 +43,22 @@ pub(crate) fn run() -> (Results, Timings) {
         reporting_level: 1e-3.into(),
         p_values: [1482, 214],
         repro: "freepath run cases --seed 20261122".into(),
+        kinds: kinds(),
         media: media.iter().map(Medium::result).collect(),
         rankings: vec![ranking(&results, 1), ranking(&results, 2)],
         results,
     };
     (results, timings)
+}
+
+fn kinds() -> Vec<KindResult> {
+    let kind = |(name, heading): (&str, &str)| KindResult { name: name.into(), heading: heading.into() };
+    let kinds = [
+        ("free_path", "Free-path samplers"),
+        ("transmittance", "Transmittance estimators"),
+        ("chromatic", "Chromatic samplers"),
+    ];
+    kinds.map(kind).into()
 }
 
 /// Four estimators of a medium, the third of which cannot be told from the first.

@@ -6,7 +6,9 @@ mod plans;
 
 use super::media::Medium;
 use super::noise::Noise;
-use freepath_results::{AuditResult, FactResult, OrderResult, Reason, Series, SubjectResult, TestResult, Verdict};
+use freepath_results::{
+    AuditResult, ClaimResult, FactResult, OrderResult, Reason, Series, SubjectResult, TestResult, Verdict,
+};
 use plans::Plan;
 use serde_json::json;
 
@@ -49,6 +51,7 @@ fn blank(medium: &Medium, i: usize, plan: &Plan) -> SubjectResult {
         faults: plan.fault.iter().map(ToString::to_string).collect(),
         masks_fault: false,
         draws_requested: 1_000_000, draws: DRAWS, draws_stage2: 0, draws_left: 0,
+        claims: vec![ClaimResult::new("bounded", "no look-up exceeds the majorant that held there")],
         mean: None, law: None, channels: vec![], tests: vec![], facts: vec![], series: Series::default(),
         lookups: plan.lookups.into(), lookups_expected: Some(plan.lookups.into()),
         audit: AuditResult { lookups, ..AuditResult::default() },

@@ -4,7 +4,7 @@ use crate::evidence::Evidence;
 use crate::fold::{Cells, FoldId, Tallies, Weights};
 use crate::hypothesis::{self, Sample};
 use crate::tally::{CellTally, PowerSums};
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// What two settings of a subject have in common, and so what is compared.
 pub enum Comparable<'a> {
@@ -65,6 +65,10 @@ pub struct LawAgreement {
 }
 
 impl Claim for LawAgreement {
+    fn statement(&self) -> Option<ClaimResult> {
+        None
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }
@@ -83,6 +87,10 @@ pub struct MeanAgreement {
 }
 
 impl Claim for MeanAgreement {
+    fn statement(&self) -> Option<ClaimResult> {
+        None
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

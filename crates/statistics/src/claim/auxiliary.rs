@@ -3,7 +3,7 @@ use crate::check;
 use crate::fold::{Auxiliary, FoldId, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// A number that comes with each draw is uniform on [0, 1) and independent of it.
 pub struct AuxiliaryClaim {
@@ -12,6 +12,13 @@ pub struct AuxiliaryClaim {
 }
 
 impl Claim for AuxiliaryClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "auxiliary",
+            "a number that comes with each draw is uniform on [0, 1) and independent of it",
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Independent]
     }

@@ -4,7 +4,7 @@ use crate::fold::{Cells, Ends, FoldId, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
 use crate::law::Law;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 /// The smallest and largest values of a column follow a law, between the edges of its cells as well.
@@ -26,6 +26,13 @@ pub struct BerkJonesClaim<'a> {
 }
 
 impl Claim for BerkJonesClaim<'_> {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            format!("{}berk_jones", self.prefix),
+            "the smallest and largest draws follow the law, between the edges of its cells as well",
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

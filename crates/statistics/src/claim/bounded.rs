@@ -2,7 +2,7 @@ use super::{Claim, Summary, Withdrawal, counted};
 use crate::check;
 use crate::fold::{FoldId, Lookups, Tallies};
 use crate::judged::Judged;
-use freepath_results::{AuditResult, Reason};
+use freepath_results::{AuditResult, ClaimResult, Reason};
 
 /// No look-up exceeds the majorant that held there.
 pub struct Bounded {
@@ -11,6 +11,10 @@ pub struct Bounded {
 }
 
 impl Claim for Bounded {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("bounded", "no look-up exceeds the majorant that held there"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Bounded]
     }
@@ -30,6 +34,10 @@ pub struct InsideRay {
 }
 
 impl Claim for InsideRay {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("inside_ray", "no look-up lies outside the ray"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

@@ -3,7 +3,7 @@ use crate::fold::{Collisions, FoldId, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
 use crate::law::Law;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 /// Tentative collisions and distance follow Coleman's joint law (Coleman 1968).
@@ -17,6 +17,10 @@ pub struct ColemanClaim<'a> {
 }
 
 impl Claim for ColemanClaim<'_> {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("coleman", "tentative collisions and distance follow Coleman’s joint law"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Lookups]
     }

@@ -3,6 +3,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{FoldId, Lookups, Tallies, Weights};
 use crate::hypothesis::{BlockLookups, MeanClaim};
 use crate::tally::{Batches, PowerSums};
+use freepath_results::ClaimResult;
 
 /// What a ranking by efficiency, 1 / (V T), needs of an estimator.
 pub struct Contender<'a> {
@@ -35,6 +36,10 @@ pub struct EfficiencyClaim {
 }
 
 impl Claim for EfficiencyClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        None
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

@@ -2,6 +2,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{Collisions, FoldId, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
+use freepath_results::ClaimResult;
 
 /// An integer column is Poisson.
 pub struct PoissonClaim {
@@ -14,6 +15,13 @@ pub struct PoissonClaim {
 }
 
 impl Claim for PoissonClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "poisson_count",
+            format!("the collisions of a draw are Poisson with the mean {:.4e}", self.mean),
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Lookups]
     }

@@ -5,7 +5,7 @@ use crate::fold::{FoldId, Inside, Places, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// Every number of a column lies where its law has mass.
 pub struct Domain {
@@ -18,6 +18,10 @@ pub struct Domain {
 }
 
 impl Claim for Domain {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("domain", "every draw lies where its law has mass"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }
@@ -56,6 +60,13 @@ pub struct AtomsClaim {
 }
 
 impl Claim for AtomsClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "atoms",
+            format!("each of {} atoms is drawn as often as its mass says", self.masses.len()),
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

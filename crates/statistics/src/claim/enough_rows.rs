@@ -1,7 +1,7 @@
 use super::{Claim, Withdrawal};
 use crate::fold::Tallies;
 use crate::judged::Judged;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// There are enough rows for a pass: files may hold a handful of draws, which contradict nothing.
 pub struct EnoughRows;
@@ -10,6 +10,10 @@ pub struct EnoughRows;
 const FEWEST_ROWS: u64 = 1000;
 
 impl Claim for EnoughRows {
+    fn statement(&self) -> Option<ClaimResult> {
+        None
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

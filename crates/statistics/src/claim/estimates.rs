@@ -4,7 +4,7 @@ use crate::check;
 use crate::fold::{FoldId, Tallies, Weights};
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// Every estimate is finite, and within its range if one is known.
 pub struct Estimates {
@@ -17,6 +17,11 @@ pub struct Estimates {
 }
 
 impl Claim for Estimates {
+    fn statement(&self) -> Option<ClaimResult> {
+        let range = self.range.map(|(low, high)| format!(" and lies in [{low:.4e}, {high:.4e}]"));
+        Some(ClaimResult::new("estimates", format!("every estimate is finite{}", range.unwrap_or_default())))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

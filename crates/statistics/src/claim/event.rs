@@ -4,7 +4,7 @@ use crate::fold::{Event, EventSums, FoldId, Tallies};
 use crate::hypothesis::{self, MeanClaim};
 use crate::judged::Judged;
 use crate::tally::PowerSums;
-use freepath_results::{ChannelResult, Reason};
+use freepath_results::{ChannelResult, ClaimResult, Reason};
 
 /// A column of weights has this mean where an event happens, and is taken for 0 elsewhere.
 pub struct EventClaim {
@@ -21,6 +21,18 @@ pub struct EventClaim {
 }
 
 impl Claim for EventClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        let event = match self.event {
+            Event::Scatter => "draws that scatter".to_string(),
+            Event::Surface => "draws that reach the end".to_string(),
+            Event::Between(from, to) => format!("draws that scatter between {from:.4e} and {to:.4e}"),
+        };
+        let (channel, mean) = (self.channel, self.mean.expected);
+        let words =
+            format!("the weights of channel {channel} have the mean {mean:.4e} over {event}, all others being 0");
+        Some(ClaimResult::new(self.name.clone(), words))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

@@ -4,7 +4,7 @@ use crate::check;
 use crate::fold::{EventSums, FoldId, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// Every weight of every event is finite.
 pub struct EventWeights {
@@ -13,6 +13,10 @@ pub struct EventWeights {
 }
 
 impl Claim for EventWeights {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("finite_weights", "every weight of every event is finite"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }
@@ -30,6 +34,10 @@ pub struct FiniteRow {
 }
 
 impl Claim for FiniteRow {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("finite_rows", "every weight of a row is finite"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

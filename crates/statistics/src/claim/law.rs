@@ -8,7 +8,7 @@ use crate::hypothesis;
 use crate::judged::Judged;
 use crate::law::Law;
 use crate::tally::CellTally;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 mod growth;
@@ -39,6 +39,12 @@ pub struct LawClaim {
 }
 
 impl Claim for LawClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        let atom = self.law.atom();
+        let with = if atom > 0.0 { format!(", with an atom of {atom:.4e}") } else { String::new() };
+        Some(ClaimResult::new("law", format!("the draws follow the law of the scene{with}")))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

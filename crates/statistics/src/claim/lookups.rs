@@ -2,6 +2,7 @@ use super::{Claim, Summary, Withdrawal};
 use crate::fold::{FoldId, Lookups, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
+use freepath_results::ClaimResult;
 
 /// A draw makes so many look-ups on average.
 pub struct LookupsClaim {
@@ -16,6 +17,10 @@ pub struct LookupsClaim {
 }
 
 impl Claim for LookupsClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("lookups", format!("a draw makes {:.4e} look-ups on average", self.expected)))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Lookups]
     }

@@ -6,7 +6,7 @@ use crate::fold::{CapitalSums, FoldId, Tallies, Weights};
 use crate::hypothesis::{self, Interval, MeanClaim, Method};
 use crate::judged::Judged;
 use crate::tally::PowerSums;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 mod growth;
 mod result;
@@ -37,6 +37,10 @@ impl WeightClaim {
 }
 
 impl Claim for WeightClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("mean", format!("the mean of the draws is {:.4e}", self.truth.expected)))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

@@ -2,6 +2,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{FoldId, Nulls, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
+use freepath_results::ClaimResult;
 
 /// Along the ray, the share mu / mu_bar of the tentative collisions is real.
 pub struct NullPositionsClaim {
@@ -10,6 +11,13 @@ pub struct NullPositionsClaim {
 }
 
 impl Claim for NullPositionsClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "null_positions",
+            "along the ray, the share mu / mu_bar of the tentative collisions is real",
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Lookups, Withdrawal::Bounded]
     }

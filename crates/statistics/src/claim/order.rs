@@ -3,6 +3,7 @@ use crate::fold::{Cells, FoldId, Lags, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
 use crate::tally::Scores;
+use freepath_results::ClaimResult;
 use std::sync::Arc;
 
 /// Draws that are a few rows apart are independent, in ranks under a law that they follow.
@@ -16,6 +17,10 @@ pub struct Order {
 }
 
 impl Claim for Order {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("independent", "draws that are a few rows apart are independent"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Independent]
     }
@@ -39,6 +44,10 @@ pub struct ObservedOrder {
 }
 
 impl Claim for ObservedOrder {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("uncorrelated", "neighbouring draws are uncorrelated, whatever their law"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Independent]
     }

@@ -3,7 +3,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{Cells, FoldId, Tallies};
 use crate::judged::Judged;
 use crate::law::Law;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 /// A column follows the law that its method has by design: so "biased" and "buggy" stay apart.
@@ -15,6 +15,10 @@ pub struct OwnLaw {
 }
 
 impl Claim for OwnLaw {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("own_law", "the draws follow the law that their method has by design"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

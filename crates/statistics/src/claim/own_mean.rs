@@ -3,7 +3,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{FoldId, Tallies, Weights};
 use crate::hypothesis::{self, MeanClaim};
 use crate::judged::Judged;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// A column has the mean that its method has by design: so "biased" and "buggy" stay apart.
 pub struct OwnMean {
@@ -14,6 +14,13 @@ pub struct OwnMean {
 }
 
 impl Claim for OwnMean {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "own_mean",
+            format!("the mean of the draws is {:.4e}, as their method has it by design", self.mean.expected),
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

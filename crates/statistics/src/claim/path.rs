@@ -3,7 +3,7 @@ use crate::check;
 use crate::fold::{Cells, FoldId, Strays, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// Every distance lies on the ray or is infinite, as the cells of its law counted it.
 pub struct Path {
@@ -16,6 +16,10 @@ pub struct Path {
 }
 
 impl Claim for Path {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("path", "every distance lies on the ray or is infinite"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }
@@ -47,6 +51,10 @@ pub struct CountedPath {
 }
 
 impl Claim for CountedPath {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("path", "every distance lies on the ray or is infinite"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

@@ -2,6 +2,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::Tallies;
 use crate::hypothesis;
 use crate::judged::Judged;
+use freepath_results::ClaimResult;
 
 /// The density that a sampler returns is one: an identity without noise.
 pub struct PdfIntegral {
@@ -10,6 +11,13 @@ pub struct PdfIntegral {
 }
 
 impl Claim for PdfIntegral {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(
+            "pdf_integral",
+            "the density that the sampler returns integrates to 1 over the ray and its end",
+        ))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

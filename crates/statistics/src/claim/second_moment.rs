@@ -4,6 +4,7 @@ use crate::fold::{EventSums, FoldId, Tallies, Weights};
 use crate::hypothesis;
 use crate::judged::Judged;
 use crate::tally::PowerSums;
+use freepath_results::ClaimResult;
 
 /// The sums whose second moment is claimed.
 #[derive(Clone, Copy)]
@@ -27,6 +28,10 @@ pub struct SecondMomentClaim {
 }
 
 impl Claim for SecondMomentClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new(self.name.clone(), format!("the second moment is {:.4e}", self.moments[0])))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::SecondMoment]
     }

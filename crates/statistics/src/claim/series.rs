@@ -6,7 +6,7 @@ use crate::hypothesis;
 use crate::judged::Judged;
 use crate::law::Law;
 use crate::tally::CellTally;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 /// Distances along a ray in two parts, drawn one after the other with one generator, follow the law of the whole ray.
@@ -24,6 +24,10 @@ pub struct SeriesClaim {
 }
 
 impl Claim for SeriesClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("series", "draws along the ray in two parts follow the law of the whole ray"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

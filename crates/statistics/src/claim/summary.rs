@@ -1,8 +1,10 @@
-use freepath_results::{AuditResult, ChannelResult, Grown, LawResult, MeanResult, Series};
+use freepath_results::{AuditResult, ChannelResult, ClaimResult, Grown, LawResult, MeanResult, Series};
 
 /// What the claims on one subject add to its results.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
+    /// Each claim in words.
+    pub claims: Vec<ClaimResult>,
     /// Of the mean.
     pub mean: Option<MeanResult>,
     /// Of the law.

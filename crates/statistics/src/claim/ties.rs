@@ -2,6 +2,7 @@ use super::{Claim, Withdrawal};
 use crate::fold::{Cells, FoldId, Tallies, Ties};
 use crate::hypothesis;
 use crate::judged::Judged;
+use freepath_results::ClaimResult;
 
 /// Values of a column tie no more often than the resolution of its uniforms makes them.
 pub struct TiesClaim {
@@ -20,6 +21,10 @@ const FEW_DIGITS: &str =
     "numbers printed with few digits repeat: print 17, or state `resolution_bits` and `tolerance`";
 
 impl Claim for TiesClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("ties", "draws tie no more often than the resolution of their uniforms makes them"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth, Withdrawal::Independent]
     }

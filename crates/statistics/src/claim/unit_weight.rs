@@ -3,7 +3,7 @@ use crate::check;
 use crate::fold::{FoldId, Tallies, UnitWeight};
 use crate::judged::Judged;
 use freepath_draws::Draws;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 
 /// Every draw has the weight 1: the tests of a law count draws, and a weight would make them mean something else.
 pub struct UnitWeightClaim {
@@ -14,6 +14,10 @@ pub struct UnitWeightClaim {
 }
 
 impl Claim for UnitWeightClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("unit_weight", "every draw has the weight 1"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[]
     }

@@ -3,7 +3,7 @@ use crate::check;
 use crate::fold::{Cells, FoldId, Tallies};
 use crate::judged::Judged;
 use crate::law::Law;
-use freepath_results::Reason;
+use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 /// No collision lies where there is nothing to collide with.
@@ -17,6 +17,10 @@ pub struct Vacuum<'a> {
 }
 
 impl Claim for Vacuum<'_> {
+    fn statement(&self) -> Option<ClaimResult> {
+        Some(ClaimResult::new("vacuum", "no collision lies where there is nothing to collide with"))
+    }
+
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
         &[Withdrawal::Truth]
     }

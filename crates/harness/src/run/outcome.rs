@@ -1,0 +1,74 @@
+//! The outcome of a run: one decision over all subjects, and the results.
+
+use super::{Options, Trial, efficiency, medium_result, subjects};
+use crate::case::{KINDS, Prepared};
+use crate::origin::Origin;
+use freepath_results::{KindResult, Real, Results, SCHEMA_VERSION, SubjectResult, SubjectTiming, Verdict};
+use freepath_statistics::REPORTING_LEVEL;
+use freepath_statistics::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, decide};
+
+/// The results, and what depends on the clock.
+pub struct Outcome {
+    /// results.json.
+    pub results: Results,
+    /// The part of timings.json that the run knows.
+    pub timings: Vec<SubjectTiming>,
+}
+
+/// The adjusted p-values of both stages: by stage, by subject, by piece of evidence.
+pub(super) type Adjustments = [Vec<Vec<Option<f64>>>; 2];
+
+pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options: &Options) -> Outcome {
+    let count = |stage: &[Vec<Option<f64>>]| stage.iter().flatten().flatten().count();
+    let mut results = Vec::new();
+    for (i, trial) in trials.iter().enumerate() {
+        let first = Stage { judged: &trial.first.judged, adjusted: &adjusted[0][i] };
+        let second = trial.second.as_ref().map(|(judged, _)| Stage { judged, adjusted: &adjusted[1][i] });
+        let decision: Decision = decide(first, second);
+        let result = subjects::result(cases, trial, first, second, decision, options);
+        results.push(subjects::diagnosed(result));
+    }
+    let timing = |(trial, result): (&Trial, &SubjectResult)| SubjectTiming {
+        id: result.id.clone(),
+        seconds: Real(trial.seconds),
+        draws: result.draws,
+        log: trial.prepared.source.as_deref().map(Origin::log).unwrap_or_default(),
+    };
+    let timings = trials.iter().zip(&results).map(timing).collect();
+    let rankings = efficiency::rankings(trials, &results);
+    let results = Results {
+        schema_version: SCHEMA_VERSION,
+        version: env!("CARGO_PKG_VERSION").into(),
+        seed: options.seed,
+        alpha: Real(ALPHA),
+        stage_alpha: Real(STAGE_ALPHA),
+        reporting_level: Real(REPORTING_LEVEL),
+        p_values: [count(&adjusted[0]), count(&adjusted[1])],
+        repro: options.repro.clone(),
+        kinds: kinds(&results),
+        media: cases.iter().map(medium_result).collect(),
+        results,
+        rankings,
+    };
+    Outcome { results, timings }
+}
+
+/// The kinds that the results hold, in the order of the list of kinds.
+fn kinds(results: &[SubjectResult]) -> Vec<KindResult> {
+    let held = KINDS.iter().filter(|kind| results.iter().any(|result| result.kind == kind.name));
+    held.map(|kind| KindResult { name: kind.name.into(), heading: kind.heading.into() }).collect()
+}
+
+/// The exit code that `results` call for: 1 if anything is not as expected and judged, 4 if something is inconclusive that
+/// should not be and nothing is worse, else 0.
+#[must_use]
+pub fn exit_code(results: &Results) -> u8 {
+    let surprises: Vec<_> = results.results.iter().filter(|result| !result.as_expected).collect();
+    if surprises.is_empty() {
+        0
+    } else if surprises.iter().all(|result| result.verdict == Verdict::Inconclusive) {
+        4
+    } else {
+        1
+    }
+}
