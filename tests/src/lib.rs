@@ -11,7 +11,7 @@ use freepath_harness::run::{Options, run};
 use freepath_harness::subject::Subject;
 use freepath_results::Results;
 use freepath_statistics::Judged;
-use freepath_statistics::decide::{Decision, Stage, adjust, decide, suspect};
+use freepath_statistics::decide::{Decision, adjust, decide, suspect};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -131,9 +131,8 @@ pub fn judgement(subject: &Subject, seed: u64) -> Judgement {
     if suspect(&stages[0]) {
         stages.push(stage(blocks..3 * blocks));
     }
-    let adjusted: Vec<_> = stages.iter().map(|judged| adjust([Some(judged)].into_iter()).0.remove(0)).collect();
-    let of = |i: usize| stages.get(i).map(|judged| Stage { judged, adjusted: &adjusted[i] });
-    let decision = of(0).map(|first| decide(first, of(1))).unwrap_or_else(|| panic!("there is a first stage"));
+    let alone: Vec<_> = stages.iter().flat_map(|judged| adjust([judged].into_iter())).collect();
+    let decision = decide(&alone[0], alone.get(1));
     Judgement { decision, stages }
 }
 

@@ -6,7 +6,7 @@ use freepath_harness::run::{Expected, expected};
 use freepath_harness::subject::{Route, Subject};
 use freepath_statistics::Judged;
 use freepath_statistics::claim::{Design, Withdrawal};
-use freepath_statistics::decide::{Stage, adjust, decide, suspect};
+use freepath_statistics::decide::{adjust, decide, suspect};
 use freepath_tests::{case_paths, load};
 use std::sync::atomic::AtomicBool;
 
@@ -39,9 +39,8 @@ fn surprise(subject: &Subject, stated: Option<freepath_harness::fault::Expectati
     };
     let first = stage(0..blocks);
     let second = suspect(&first).then(|| stage(blocks..3 * blocks));
-    let (one, two) = (adjust([Some(&first)].into_iter()), adjust([second.as_ref()].into_iter()));
-    let again = second.as_ref().map(|judged| Stage { judged, adjusted: &two.0[0] });
-    let decision = decide(Stage { judged: &first, adjusted: &one.0[0] }, again);
+    let (one, two) = (adjust([&first].into_iter()), adjust(second.iter()));
+    let decision = decide(&one[0], two.first());
     let design = subject.design(&plan);
     let Expected { words: wanted, met: as_expected, .. } = expected(stated, false, design, &decision);
     let unsure = design == Design::Unsure;

@@ -9,7 +9,7 @@ use freepath_harness::noiseless;
 use freepath_harness::subject::{Route, Subject};
 use freepath_results::Verdict;
 use freepath_statistics::Judged;
-use freepath_statistics::decide::{Decision, Stage, adjust, decide, suspect};
+use freepath_statistics::decide::{Decision, adjust, decide, suspect};
 use std::fmt::Write;
 use std::panic::Location;
 use std::sync::atomic::AtomicBool;
@@ -127,10 +127,8 @@ impl Trial {
     }
 
     fn decide(&self) -> Decision {
-        let first = adjust([Some(&self.first)].into_iter());
-        let second = adjust([self.second.as_ref()].into_iter());
-        let stage = self.second.as_ref().map(|judged| Stage { judged, adjusted: &second.0[0] });
-        decide(Stage { judged: &self.first, adjusted: &first.0[0] }, stage)
+        let (first, second) = (adjust([&self.first].into_iter()), adjust(self.second.iter()));
+        decide(&first[0], second.first())
     }
 
     fn message(&self, subject: &Subject, decision: &Decision) -> String {

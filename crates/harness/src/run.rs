@@ -8,7 +8,7 @@ use crate::origin::Origin;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::Grown;
 use freepath_statistics::Judged;
-use freepath_statistics::decide::{STAGE_ALPHA, adjust, suspect};
+use freepath_statistics::decide::{STAGE_ALPHA, suspect};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
@@ -97,10 +97,7 @@ pub fn run(cases: &[Prepared], options: &Options) -> Result<Outcome, Cancelled> 
     for trial in &mut suspects {
         stage_two(trial, options)?;
     }
-    let first = adjust(trials.iter().map(|trial| Some(&trial.first.judged)));
-    let second = adjust(trials.iter().map(|trial| trial.second.as_ref().map(|(judged, _)| judged)));
-    let adjusted = [first.0, second.0];
-    Ok(outcome::outcome(cases, &trials, &adjusted, options))
+    Ok(outcome::outcome(cases, &trials, options))
 }
 
 fn plan_stage_one(cases: &[Prepared], options: &Options) {

@@ -4,7 +4,7 @@ use freepath_draws::Key;
 use freepath_draws::random::uniform;
 use freepath_results::Reason;
 use freepath_statistics::Judged;
-use freepath_statistics::decide::{Stage, adjust, decide, suspect};
+use freepath_statistics::decide::{adjust, adjust_some, decide, suspect};
 use freepath_statistics::hypothesis::{MeanClaim, mean};
 use freepath_statistics::tally::PowerSums;
 
@@ -35,11 +35,9 @@ fn main() {
     let again = samplers.iter().enumerate().zip(&first);
     let second: Vec<Option<Judged>> =
         again.map(|(of, judged)| suspect(judged).then(|| stage(of, 1, 2 * DRAWS))).collect();
-    let adjusted = [adjust(first.iter().map(Some)), adjust(second.iter().map(Option::as_ref))];
-    for (i, (name, _)) in samplers.iter().enumerate() {
-        let one = Stage { judged: &first[i], adjusted: &adjusted[0].0[i] };
-        let two = second[i].as_ref().map(|judged| Stage { judged, adjusted: &adjusted[1].0[i] });
-        let decision = decide(one, two);
+    let (first, second) = (adjust(first.iter()), adjust_some(second.iter().map(Option::as_ref)));
+    for ((name, _), (first, second)) in samplers.iter().zip(first.iter().zip(&second)) {
+        let decision = decide(first, second.as_ref());
         println!("{name:<10}  {:<12}  {}", decision.verdict.to_string(), decision.notes.join("; "));
     }
 }

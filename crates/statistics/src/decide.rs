@@ -1,39 +1,16 @@
 //! From evidence to verdicts, over the whole run at one family-wise error.
 
-use crate::evidence::{Evidence, holm};
+use crate::evidence::Evidence;
 use crate::judged::Judged;
 use freepath_results::{Reason, Verdict};
+use stage::rejects_at;
 
-/// The family-wise error of each stage.
-pub const STAGE_ALPHA: f64 = 1e-3;
+mod stage;
+
+pub use stage::{STAGE_ALPHA, Stage, StageTest, adjust, adjust_among, adjust_some};
 
 /// The designed false-alarm rate of a run: a failure by p-values needs both stages.
 pub const ALPHA: f64 = STAGE_ALPHA * STAGE_ALPHA;
-
-/// What a stage rejects: for each subject, for each piece of evidence, the adjusted p-value, if it has one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Adjusted(pub Vec<Vec<Option<f64>>>);
-
-/// Holm over all p-values of a stage, whatever subject they belong to.
-#[must_use]
-pub fn adjust<'a>(judged: impl Iterator<Item = Option<&'a Judged>> + Clone) -> Adjusted {
-    let evidence = |judged: Option<&'a Judged>| judged.map_or(&[][..], |judged| &judged.evidence);
-    let all: Vec<f64> = judged.clone().flat_map(evidence).filter_map(Evidence::judged_p).collect();
-    let mut adjusted = holm(&all).into_iter();
-    let of = |judged| evidence(judged).iter().map(|e| e.judged_p().and_then(|_| adjusted.next())).collect();
-    Adjusted(judged.map(of).collect())
-}
-
-/// Whether an adjusted p-value rejects: NaN does.
-#[must_use]
-pub fn rejects(adjusted: Option<f64>) -> bool {
-    rejects_at(adjusted, STAGE_ALPHA)
-}
-
-/// [`rejects`] at another error of the stage.
-fn rejects_at(adjusted: Option<f64>, level: f64) -> bool {
-    adjusted.is_some_and(|p| !(p > level))
-}
 
 /// Whether stage 1 gives cause for stage 2: any raw p at or below the stage's error.
 #[must_use]
@@ -58,35 +35,13 @@ pub struct Decision {
     pub notes: Vec<String>,
 }
 
-/// One stage of one subject: what was judged, and the adjusted p-values.
-#[derive(Clone, Copy)]
-pub struct Stage<'a> {
-    /// Evidence, facts and gates.
-    pub judged: &'a Judged,
-    /// For each piece of evidence.
-    pub adjusted: &'a [Option<f64>],
-}
-
-impl Stage<'_> {
-    /// Names of the tests that reject at `level`.
-    pub fn rejected_at(&self, level: f64) -> impl Iterator<Item = &str> {
-        let pairs = self.judged.evidence.iter().zip(self.adjusted);
-        pairs
-            .filter(move |(_, adjusted)| rejects_at(**adjusted, level))
-            .map(|(evidence, _)| evidence.name.as_str())
-    }
-
-    fn rejections(&self, level: f64) -> Vec<(Reason, String)> {
-        let pairs = self.judged.evidence.iter().zip(self.adjusted);
-        let rejected = pairs.filter(|(_, adjusted)| rejects_at(**adjusted, level));
-        let note =
-            rejected.map(|(evidence, adjusted)| (evidence.reason, sentence(evidence, adjusted.unwrap_or(0.0))));
-        note.collect()
-    }
+fn rejections(stage: &Stage, level: f64) -> Vec<(Reason, String)> {
+    stage.rejecting(level).map(|test| (test.evidence.reason, sentence(test))).collect()
 }
 
 /// What a test rejected, by how much, with which p-value.
-fn sentence(evidence: &Evidence, adjusted: f64) -> String {
+fn sentence(test: &StageTest) -> String {
+    let (evidence, adjusted) = (test.evidence, test.adjusted.unwrap_or(0.0));
     let Evidence { name, statistic, note, .. } = evidence;
     let what = if note.is_empty() {
         format!("statistic {statistic:.4}")
@@ -100,14 +55,14 @@ fn sentence(evidence: &Evidence, adjusted: f64) -> String {
 /// Facts of either stage fail at once; a rejection fails if both stages make one; what is left open, or was put to no test
 /// at all, is inconclusive.
 #[must_use]
-pub fn decide(first: Stage, second: Option<Stage>) -> Decision {
+pub fn decide(first: &Stage, second: Option<&Stage>) -> Decision {
     decide_at(first, second, STAGE_ALPHA)
 }
 
 /// [`decide`] at another error of each stage.
 #[must_use]
-pub fn decide_at(first: Stage, second: Option<Stage>, level: f64) -> Decision {
-    let (one, two) = (first.rejections(level), second.map(|stage| stage.rejections(level)).unwrap_or_default());
+pub fn decide_at(first: &Stage, second: Option<&Stage>, level: f64) -> Decision {
+    let (one, two) = (rejections(first, level), second.map(|stage| rejections(stage, level)).unwrap_or_default());
     let facts = [Some(first), second].into_iter().flatten();
     let mut found: Vec<(Reason, String)> =
         facts.flat_map(|stage| &stage.judged.facts).map(|fact| (fact.reason, fact.words.clone())).collect();
@@ -152,11 +107,14 @@ mod tests {
         Judged { evidence, ..Judged::default() }
     }
 
+    /// A stage with no other subject.
+    fn alone(judged: &Judged) -> Stage<'_> {
+        adjust([judged].into_iter()).remove(0)
+    }
+
     fn verdict(one: &[f64], two: Option<&[f64]>) -> Verdict {
         let (one, two) = (judged(one), two.map(judged));
-        let (a, b) = (adjust([Some(&one)].into_iter()), adjust([two.as_ref()].into_iter()));
-        let second = two.as_ref().map(|judged| Stage { judged, adjusted: &b.0[0] });
-        decide(Stage { judged: &one, adjusted: &a.0[0] }, second).verdict
+        decide(&alone(&one), two.as_ref().map(alone).as_ref()).verdict
     }
 
     #[test]
@@ -171,8 +129,8 @@ mod tests {
     fn a_reported_p_value_decides_nothing() {
         let mut one = judged(&[0.5]);
         one.evidence.push(Evidence::new("kuiper", 9.0, None, 1e-30, Reason::WrongLaw).reported());
-        let adjusted = adjust([Some(&one)].into_iter());
-        assert!(!suspect(&one) && adjusted.0[0] == [Some(0.5), None]);
+        let adjusted: Vec<_> = alone(&one).tests.iter().map(|test| test.adjusted).collect();
+        assert!(!suspect(&one) && adjusted == [Some(0.5), None]);
     }
 
     #[test]
@@ -184,8 +142,7 @@ mod tests {
     #[test]
     fn a_fact_fails_without_p_values() {
         let fact = Judged { facts: vec![Fact::new("audit", Reason::BoundViolated, "1")], ..judged(&[0.5]) };
-        let adjusted = adjust([Some(&fact)].into_iter());
-        let decision = decide(Stage { judged: &fact, adjusted: &adjusted.0[0] }, None);
+        let decision = decide(&alone(&fact), None);
         assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::BoundViolated]));
     }
 
@@ -195,10 +152,7 @@ mod tests {
             Judged { facts: vec![Fact::new("subject", Reason::SubjectError, "it panicked")], ..Judged::default() };
         for p in [7e-4, 1e-9] {
             let one = judged(&[p]);
-            let adjusted = adjust([Some(&one)].into_iter());
-            let first = Stage { judged: &one, adjusted: &adjusted.0[0] };
-            let second = Stage { judged: &broken, adjusted: &[] };
-            let decision = decide(first, Some(second));
+            let decision = decide(&alone(&one), Some(&alone(&broken)));
             assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::SubjectError]));
         }
     }
@@ -206,13 +160,5 @@ mod tests {
     #[test]
     fn no_evidence_is_no_pass() {
         assert_eq!(verdict(&[], None), Verdict::Inconclusive);
-    }
-
-    #[test]
-    fn holm_runs_over_all_subjects() {
-        let (a, b) = (judged(&[4e-4]), judged(&[0.5, 0.5, 0.5]));
-        let adjusted = adjust([Some(&a), None, Some(&b)].into_iter());
-        assert!((adjusted.0[0][0].unwrap_or(0.0) - 1.6e-3).abs() < 1e-15);
-        assert!(adjusted.0[1].is_empty());
     }
 }

@@ -5,7 +5,7 @@ use crate::case::{KINDS, Prepared};
 use crate::origin::Origin;
 use freepath_results::{KindResult, Real, Results, SCHEMA_VERSION, SubjectResult, SubjectTiming, Verdict};
 use freepath_statistics::REPORTING_LEVEL;
-use freepath_statistics::decide::{ALPHA, Decision, STAGE_ALPHA, Stage, decide};
+use freepath_statistics::decide::{ALPHA, STAGE_ALPHA, Stage, adjust, adjust_some};
 
 /// The results, and what depends on the clock.
 pub struct Outcome {
@@ -15,18 +15,13 @@ pub struct Outcome {
     pub timings: Vec<SubjectTiming>,
 }
 
-/// The adjusted p-values of both stages: by stage, by subject, by piece of evidence.
-pub(super) type Adjustments = [Vec<Vec<Option<f64>>>; 2];
-
-pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustments, options: &Options) -> Outcome {
-    let count = |stage: &[Vec<Option<f64>>]| stage.iter().flatten().flatten().count();
+pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], options: &Options) -> Outcome {
+    let first = adjust(trials.iter().map(|trial| &trial.first.judged));
+    let second = adjust_some(trials.iter().map(|trial| trial.second.as_ref().map(|(judged, _)| judged)));
     let mut results = Vec::new();
-    for (i, trial) in trials.iter().enumerate() {
-        let first = Stage { judged: &trial.first.judged, adjusted: &adjusted[0][i] };
-        let second = trial.second.as_ref().map(|(judged, _)| Stage { judged, adjusted: &adjusted[1][i] });
-        let decision: Decision = decide(first, second);
-        let result = subjects::result(cases, trial, first, second, decision, options);
-        results.push(subjects::diagnosed(result));
+    for ((trial, first), second) in trials.iter().zip(&first).zip(&second) {
+        let stages = subjects::Stages { first, second: second.as_ref() };
+        results.push(subjects::diagnosed(subjects::result(cases, trial, stages, options)));
     }
     let timing = |(trial, result): (&Trial, &SubjectResult)| SubjectTiming {
         id: result.id.clone(),
@@ -43,7 +38,7 @@ pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustmen
         alpha: Real(ALPHA),
         stage_alpha: Real(STAGE_ALPHA),
         reporting_level: Real(REPORTING_LEVEL),
-        p_values: [count(&adjusted[0]), count(&adjusted[1])],
+        p_values: [count(first.iter()), count(second.iter().flatten())],
         repro: options.repro.clone(),
         kinds: kinds(&results),
         media: cases.iter().map(medium_result).collect(),
@@ -51,6 +46,11 @@ pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], adjusted: &Adjustmen
         rankings,
     };
     Outcome { results, timings }
+}
+
+/// How many p-values the verdicts of a stage use.
+fn count<'a>(stages: impl Iterator<Item = &'a Stage<'a>>) -> usize {
+    stages.flat_map(|stage| &stage.tests).filter(|test| test.adjusted.is_some()).count()
 }
 
 /// The kinds that the results hold, in the order of the list of kinds.

@@ -7,20 +7,27 @@ use crate::origin::Origin;
 use crate::samples::SampleFile;
 use freepath_results::{FactResult, Grown, OrderResult, Real, SubjectResult, TestResult, Verdict};
 use freepath_statistics::claim::{StepOrder, Summary, worst};
-use freepath_statistics::decide::{Decision, Stage, rejects};
+use freepath_statistics::decide::{Decision, Stage, StageTest, decide};
 
-pub(super) fn result(
-    cases: &[Prepared],
-    trial: &Trial,
-    first: Stage,
-    second: Option<Stage>,
-    decision: Decision,
-    options: &Options,
-) -> SubjectResult {
-    let Trial { case, prepared, .. } = trial;
+/// Both stages of a subject.
+#[derive(Clone, Copy)]
+pub(super) struct Stages<'a> {
+    pub(super) first: &'a Stage<'a>,
+    pub(super) second: Option<&'a Stage<'a>>,
+}
+
+impl<'a> Stages<'a> {
+    /// Each with its number.
+    fn numbered(self) -> impl Iterator<Item = (u8, &'a Stage<'a>)> {
+        [Some((1, self.first)), self.second.map(|stage| (2, stage))].into_iter().flatten()
+    }
+}
+
+pub(super) fn result(cases: &[Prepared], trial: &Trial, stages: Stages, options: &Options) -> SubjectResult {
+    let (Trial { case, prepared, .. }, decision) = (trial, decide(stages.first, stages.second));
     let expected = expectation(trial, &decision);
     let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order } =
-        summary(trial, grown(trial, first, second).as_ref());
+        summary(trial, grown(trial, stages).as_ref());
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -48,8 +55,8 @@ pub(super) fn result(
         mean,
         law,
         channels,
-        tests: stages(first, second).flat_map(tests).collect(),
-        facts: stages(first, second).flat_map(facts).collect(),
+        tests: stages.numbered().flat_map(tests).collect(),
+        facts: stages.numbered().flat_map(facts).collect(),
         series,
         lookups: Real(lookups),
         lookups_expected: lookups_expected.map(Real),
@@ -71,14 +78,10 @@ fn expectation(trial: &Trial, decision: &Decision) -> Expected {
 }
 
 /// How growth ended, after the decision.
-fn grown(trial: &Trial, first: Stage, second: Option<Stage>) -> Option<Grown> {
-    let rejections = stages(first, second).flat_map(tests);
+fn grown(trial: &Trial, stages: Stages) -> Option<Grown> {
+    let rejections = stages.numbered().flat_map(tests);
     let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
     trial.first.grown.clone().map(|grown| settled(grown, rejections))
-}
-
-fn stages<'a>(first: Stage<'a>, second: Option<Stage<'a>>) -> impl Iterator<Item = (u8, Stage<'a>)> {
-    [Some((1, first)), second.map(|stage| (2, stage))].into_iter().flatten()
 }
 
 /// With where the law breaks, if the subject fails.
@@ -120,8 +123,8 @@ fn repro(case: &Prepared, id: &str, options: &Options) -> String {
     format!("{program} run {} --filter {id}{flags}", quoted(&case.file))
 }
 
-fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
-    let one = |(evidence, adjusted): (&freepath_statistics::Evidence, &Option<f64>)| TestResult {
+fn tests((stage, of): (u8, &Stage<'_>)) -> Vec<TestResult> {
+    let one = |test @ &StageTest { evidence, adjusted }: &StageTest| TestResult {
         name: evidence.name.clone(),
         stage,
         statistic: Real(evidence.statistic),
@@ -129,14 +132,14 @@ fn tests((stage, of): (u8, Stage<'_>)) -> Vec<TestResult> {
         p: evidence.p.map(Real),
         reported: evidence.reported,
         p_adjusted: adjusted.map(Real),
-        rejected: rejects(*adjusted),
+        rejected: test.rejects(),
         reason: evidence.reason,
         note: evidence.note.clone(),
     };
-    of.judged.evidence.iter().zip(of.adjusted).map(one).collect()
+    of.tests.iter().map(one).collect()
 }
 
-fn facts((stage, of): (u8, Stage<'_>)) -> Vec<FactResult> {
+fn facts((stage, of): (u8, &Stage<'_>)) -> Vec<FactResult> {
     let one = |fact: &freepath_statistics::Fact| FactResult {
         check: fact.check.into(),
         stage,

@@ -7,7 +7,7 @@ use crate::run::{Cancelled, Progress};
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
 use freepath_results::Verdict;
-use freepath_statistics::decide::{Adjusted, Stage, adjust, decide_at, suspect_at};
+use freepath_statistics::decide::{Stage, adjust, adjust_some, decide_at, suspect_at};
 use freepath_statistics::{Evidence, Judged, Null};
 use rand::Rng;
 
@@ -83,11 +83,11 @@ pub(super) fn record(trials: &[Trial], options: &Options, run: u64) -> Result<Re
         let blocks = trial.blocks()..3 * trial.blocks();
         second.push(wanted.then(|| trial.judged(seed, blocks, &watch)).transpose()?);
     }
-    let adjusted = adjust(first.iter().map(Some));
+    let stages = adjust(first.iter());
     Ok(Record {
         seed,
         samples: samples(trials, &first, seed),
-        alarms: options.levels.iter().map(|&level| alarm(&first, &adjusted, &second, level)).collect(),
+        alarms: options.levels.iter().map(|&level| alarm(&stages, &second, level)).collect(),
         facts: facts(&first, &second),
     })
 }
@@ -112,21 +112,22 @@ fn spread(null: Null, u: f64) -> Option<f64> {
     Some(2.0 * if v < 0.5 { v } else { 1.0 - v })
 }
 
-fn alarm(first: &[Judged], adjusted: &Adjusted, second: &[Option<Judged>], level: f64) -> Alarm {
-    let of_level = first.iter().zip(second).map(|(one, two)| two.as_ref().filter(|_| suspect_at(one, level)));
-    let second: Vec<Option<&Judged>> = of_level.collect();
-    let adjusted_2 = adjust(second.iter().copied());
-    let one = |i: usize| Stage { judged: &first[i], adjusted: &adjusted.0[i] };
-    let two = |i: usize| second[i].map(|judged| Stage { judged, adjusted: &adjusted_2.0[i] });
-    let rejection = |i: usize| Some(Rejection { subject: i, test: one(i).rejected_at(level).next()?.to_string() });
-    let fails = |i: usize| {
-        let by_facts = [Some(one(i)), two(i)].into_iter().flatten().any(|stage| !stage.judged.facts.is_empty());
-        !by_facts && decide_at(one(i), two(i), level).verdict == Verdict::Fail
+fn alarm(first: &[Stage], second: &[Option<Judged>], level: f64) -> Alarm {
+    let suspects = first.iter().map(|stage| suspect_at(stage.judged, level));
+    let of_level: Vec<_> = suspects.zip(second).map(|(suspect, two)| two.as_ref().filter(|_| suspect)).collect();
+    let second = adjust_some(of_level.iter().copied());
+    let rejected = |stage: &Stage| stage.rejected_at(level).next().map(str::to_string);
+    let fails = |(one, two): (&Stage, &Option<Stage>)| {
+        let by_facts = [Some(one), two.as_ref()].into_iter().flatten().any(|stage| !stage.judged.facts.is_empty());
+        !by_facts && decide_at(one, two.as_ref(), level).verdict == Verdict::Fail
     };
     Alarm {
-        first: (0..first.len()).find_map(rejection),
-        second: (0..first.len()).any(|i| two(i).is_some_and(|stage| stage.rejected_at(level).next().is_some())),
-        confirmed: (0..first.len()).any(fails),
+        first: first
+            .iter()
+            .enumerate()
+            .find_map(|(subject, stage)| Some(Rejection { subject, test: rejected(stage)? })),
+        second: second.iter().flatten().any(|stage| rejected(stage).is_some()),
+        confirmed: first.iter().zip(&second).any(fails),
     }
 }
 
@@ -151,7 +152,7 @@ mod tests {
     }
 
     fn outcome(first: &[Judged], second: &[Option<Judged>], level: f64) -> (bool, bool, bool) {
-        let alarm = alarm(first, &adjust(first.iter().map(Some)), second, level);
+        let alarm = alarm(&adjust(first.iter()), second, level);
         (alarm.first.is_some(), alarm.second, alarm.confirmed)
     }
 
