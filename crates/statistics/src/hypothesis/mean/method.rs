@@ -1,0 +1,89 @@
+use super::difference::{ROUNDING, excess};
+use crate::hypothesis::clt_gate::clt_gate;
+use crate::hypothesis::mean_claim::MeanClaim;
+use crate::tally::PowerSums;
+
+/// Which interval and test the draws allow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Exact binomial and Clopper-Pearson (1934).
+    Binomial,
+    /// No variance: compared up to rounding and the slack.
+    Exact,
+    /// Student's t.
+    StudentT,
+    /// Hall's (1992) cubic skewness correction.
+    SkewnessCorrected,
+    /// Maurer and Pontil (2009), theorem 4.
+    EmpiricalBernstein,
+    /// Nothing that can be trusted.
+    None,
+}
+
+impl Method {
+    /// The name in the results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Binomial => "binomial",
+            Self::Exact => "exact",
+            Self::StudentT => "student_t",
+            Self::SkewnessCorrected => "skewness_corrected",
+            Self::EmpiricalBernstein => "empirical_bernstein",
+            Self::None => "none",
+        }
+    }
+}
+
+/// The sharpest method that the draws allow.
+pub(super) fn method(sums: &PowerSums, claim: &MeanClaim) -> Method {
+    if claim.binary && sums.zeros + sums.ones == sums.n && sums.n > 0 {
+        return Method::Binomial;
+    }
+    if exact(sums, claim) {
+        return Method::Exact;
+    }
+    let (plain, corrected) = gate(skewness(sums, claim), sums.n as f64);
+    let tame = !sums.constant() && clt_gate(sums).is_none();
+    match claim.range {
+        _ if plain && tame => Method::StudentT,
+        _ if corrected && tame => Method::SkewnessCorrected,
+        Some(range) if within(sums, range) => Method::EmpiricalBernstein,
+        _ => Method::None,
+    }
+}
+
+/// The larger of the sample's and the formula's skewness: a sample that has not seen its tail looks too tame.
+pub(super) fn skewness(sums: &PowerSums, claim: &MeanClaim) -> f64 {
+    let sample = sums.skewness();
+    match claim.skewness {
+        Some(exact) if exact.abs() > sample.abs() => exact,
+        _ => sample,
+    }
+}
+
+/// Whether skewness allows the plain, and the corrected, statistic.
+pub(in crate::hypothesis) fn gate(skewness: f64, n: f64) -> (bool, bool) {
+    let g = skewness.abs() / n.sqrt();
+    (g <= 0.03, g <= 0.1)
+}
+
+/// Whether the draws have no noise, so that their value is compared with the truth: not if a formula says that they have, by a
+/// variance that is more than cancellation or a skewness, and not if all are 0 or all are 1, as of walks that have met
+/// nothing yet.
+fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
+    let scale = claim.expected.abs();
+    let skew = claim.skewness.is_some_and(|skewness| !skewness.is_nan());
+    let noisy = claim.variance.map_or(skew, |v| v > 1e-14 * scale * scale);
+    let met_nothing = sums.zeros == sums.n || sums.ones == sums.n;
+    let still = sums.greatest - sums.least <= ROUNDING * scale;
+    let telling = claim.variance.is_some() || !met_nothing || excess(sums, claim) == 0.0;
+    still && (scale == 0.0 || (!noisy && telling)) // where nothing is due there is no noise
+}
+
+/// Whether every draw lies in the range, but for rounding.
+#[must_use]
+pub fn within(sums: &PowerSums, (low, high): (f64, f64)) -> bool {
+    let rounding = ROUNDING * (high - low);
+    sums.least >= low - rounding && sums.greatest <= high + rounding
+}
