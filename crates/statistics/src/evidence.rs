@@ -32,13 +32,36 @@ impl Null {
         if slack <= 1e-3 * error { Self::Uniform } else { Self::Conservative }
     }
 
-    /// `uniform`, `discrete` or `conservative`.
+    /// The same without its numbers.
+    #[must_use]
+    pub fn class(self) -> NullClass {
+        match self {
+            Self::Uniform => NullClass::Uniform,
+            Self::Discrete { .. } => NullClass::Discrete,
+            Self::Conservative => NullClass::Conservative,
+        }
+    }
+}
+
+/// A [`Null`] without its numbers, in the order of the names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NullClass {
+    /// See [`Null::Conservative`].
+    Conservative,
+    /// See [`Null::Discrete`].
+    Discrete,
+    /// See [`Null::Uniform`].
+    Uniform,
+}
+
+impl NullClass {
+    /// The name in the results of a soak.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Uniform => "uniform",
-            Self::Discrete { .. } => "discrete",
             Self::Conservative => "conservative",
+            Self::Discrete => "discrete",
+            Self::Uniform => "uniform",
         }
     }
 }

@@ -8,9 +8,9 @@ use super::uniformity::Row;
 use freepath_results::{
     AlarmRate, LevelResult, QuantileSeries, Real, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
 };
-use freepath_statistics::holm;
 use freepath_statistics::hypothesis::{declares, family};
 use freepath_statistics::special::{binomial_sf, clopper_pearson};
+use freepath_statistics::{NullClass, holm};
 use std::collections::BTreeMap;
 
 /// The family-wise error of all checks of a soak.
@@ -37,7 +37,7 @@ struct Facts {
 /// What is kept of all runs so far: its size does not grow with them.
 pub(super) struct Fold {
     /// By name of evidence and law.
-    rows: BTreeMap<(String, &'static str), Row>,
+    rows: BTreeMap<(String, NullClass), Row>,
     pooled: PValues,
     levels: Vec<Alarms>,
     facts: Facts,
@@ -86,7 +86,8 @@ impl Fold {
         let designed = options.levels.iter().flat_map(|&level| [level, level * level, level * level]);
         let counts = self.levels.iter().flat_map(|alarms| [alarms.stage_1, alarms.both, alarms.confirmed]);
         let mut checks: Vec<f64> = designed.zip(counts).map(|(p, k)| binomial_sf(self.runs, p, k)).collect();
-        let of_rows = |((_, null), row): (&(String, &str), &Row)| row.hypotheses(*null == "conservative");
+        let of_rows =
+            |((_, null), row): (&(String, NullClass), &Row)| row.hypotheses(*null == NullClass::Conservative);
         let of_rows: Vec<Vec<f64>> = self.rows.iter().map(of_rows).collect();
         checks.extend(of_rows.iter().flatten());
         let adjusted = holm(&checks);
@@ -144,21 +145,21 @@ impl Alarms {
 }
 
 /// The rows of each test and law together; each was checked alone.
-fn families(rows: &BTreeMap<(String, &'static str), Row>, least: &[f64]) -> Vec<SoakTest> {
-    let mut of: BTreeMap<(&str, &str), (Row, usize, f64)> = BTreeMap::new();
+fn families(rows: &BTreeMap<(String, NullClass), Row>, least: &[f64]) -> Vec<SoakTest> {
+    let mut of: BTreeMap<(&str, NullClass), (Row, usize, f64)> = BTreeMap::new();
     for (((name, null), row), &p) in rows.iter().zip(least) {
         let start = || (Row::new(row.spread.is_some()), 0, 1.0);
-        let (all, names, worst) = of.entry((family(name), null)).or_insert_with(start);
+        let (all, names, worst) = of.entry((family(name), *null)).or_insert_with(start);
         all.merge(row);
         *names += 1;
         *worst = if p < *worst { p } else { *worst };
     }
-    let result = |((test, null), (row, names, p)): ((&str, &str), (Row, usize, f64))| {
+    let result = |((test, null), (row, names, p)): ((&str, NullClass), (Row, usize, f64))| {
         let Distances { over: below, under: above } = row.uniform().distances();
         let share = |count: u64| Real(count as f64 / row.p.count as f64);
         SoakTest {
             test: test.into(),
-            null: null.into(),
+            null: null.name().into(),
             declared: declares(test, null),
             names,
             p_values: row.p.count,

@@ -8,13 +8,13 @@ use freepath_draws::Key;
 use freepath_draws::random::uniform;
 use freepath_results::Verdict;
 use freepath_statistics::decide::{Stage, adjust, adjust_some, decide_at, suspect_at};
-use freepath_statistics::{Evidence, Judged, Null};
+use freepath_statistics::{Evidence, Judged, Null, NullClass};
 use rand::Rng;
 
 /// A p-value with the name of its test.
 pub(super) struct Sample {
     pub(super) name: String,
-    pub(super) null: &'static str,
+    pub(super) null: NullClass,
     pub(super) p: f64,
     /// Spread over the steps of a discrete statistic.
     pub(super) spread: Option<f64>,
@@ -97,7 +97,7 @@ fn samples(trials: &[Trial], first: &[Judged], seed: u64) -> Vec<Sample> {
     let of = |(trial, judged): (&Trial, &Judged)| {
         let mut rng = Key { seed, subject: trial.subject.key ^ OF_STEPS, block: 0 }.rng();
         let sample = |e: &Evidence| {
-            let (null, u) = (e.null.name(), uniform(&mut rng));
+            let (null, u) = (e.null.class(), uniform(&mut rng));
             Some(Sample { name: e.name.clone(), null, p: e.p?, spread: spread(e.null, u) })
         };
         judged.evidence.iter().filter_map(sample).collect::<Vec<_>>()

@@ -3,7 +3,7 @@
 use super::chi_square::lessened;
 use super::mean::{corrected_p, gate};
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
 use crate::tally::{CellTally, PowerSums};
 use freepath_results::Reason;
@@ -34,7 +34,7 @@ Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n
          where the range is known; else no p-value. Cells hold 128 draws of both together.
 Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
 Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
-    Test { name, words, details, nulls: &["uniform", "conservative"], section: name }
+    Test { name, words, details, nulls: &[NullClass::Uniform, NullClass::Conservative], section: name }
 }
 
 /// What is known of the draws of both samples.

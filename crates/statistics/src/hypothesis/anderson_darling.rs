@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::law::Law;
 use crate::special::anderson_darling_sf;
 use crate::tally::CellTally;
@@ -18,7 +18,7 @@ A^2 = m int (F_m - u)^2 / (u (1 - u)) du,   u = F(t) / F(length)
 Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
 Rejects: nothing; shown beside the others. Weighs both ends of the ray.
 Source:  Anderson and Darling (1952); p over its full range by Smirnov (1937).",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "anderson_darling",
 };
 

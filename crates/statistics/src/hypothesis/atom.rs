@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::special::{binomial_cdf, binomial_two_sided};
 use freepath_results::Reason;
 
@@ -16,7 +16,7 @@ Gate:    none: exact for any n and T.
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Sees:    a wrong optical depth. Blind to where collisions lie.
 Source:  Clopper and Pearson (1934); tails by Loader (2000).",
-    nulls: &["discrete"],
+    nulls: &[NullClass::Discrete],
     section: "atom",
 };
 

@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::larger::larger;
 use crate::law::Law;
 use crate::special::{berk_jones_sf, likelihood_ratio};
@@ -21,7 +21,7 @@ Gate:    100 collisions, a law without atoms. p by simulated quantiles down to 1
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
 Source:  Berk and Jones (1979).",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "berk_jones",
 };
 

@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, POWER};
+use crate::evidence::{Evidence, NullClass, POWER};
 use crate::law::{Groups, LEAST_SHARE, Law};
 use crate::special::{chi_square_noncentrality, chi_square_sf};
 use crate::tally::CellTally;
@@ -21,7 +21,7 @@ Gate:    every cell expects 50 draws, or 800 over the cells if there are fewer t
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Sees:    16 cells broad errors, 64 and 2 n^0.4 cells an error in one voxel.
 Source:  Pearson (1900).",
-        nulls: &["uniform"],
+        nulls: &[NullClass::Uniform],
         section: "chi_square_16-chi_square_64-chi_square_fine",
     }
 }

@@ -1,6 +1,6 @@
 use super::poisson_count::{pmf, pooled};
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::law::Law;
 use crate::tally::CountTally;
 use freepath_results::Reason;
@@ -18,7 +18,7 @@ Chi-square over (collisions, group of t).
 Gate:    neighbouring cells are pooled until each expects 50 draws, or more if there are few.
 Rejects: as wrong_law: a wrong majorant under a right law, skipped look-ups.
 Source:  Coleman (1968).",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "coleman",
 };
 

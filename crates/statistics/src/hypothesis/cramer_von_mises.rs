@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::law::Law;
 use crate::special::cramer_von_mises_sf;
 use crate::tally::CellTally;
@@ -18,7 +18,7 @@ W^2 = m int (F_m - u)^2 du,   u = F(t) / F(length)
 Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
 Rejects: nothing; shown beside the others.
 Source:  Cramer (1928), von Mises (1931); p by Smirnov (1937), Csorgo and Faraway (1996).",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "cramer_von_mises",
 };
 

@@ -1,5 +1,6 @@
 use super::list::TESTS;
 use super::record::Test;
+use crate::evidence::NullClass;
 
 /// The test of this name.
 fn test(name: &str) -> Option<&'static Test> {
@@ -24,9 +25,9 @@ pub fn family(name: &str) -> &str {
     }
 }
 
-/// Whether the p-values of test `family` may follow the law of this name.
+/// Whether the p-values of test `family` may follow a law of this class.
 #[must_use]
-pub fn declares(family: &str, null: &str) -> bool {
+pub fn declares(family: &str, null: NullClass) -> bool {
     test(family).is_some_and(|test| test.nulls.contains(&null))
 }
 

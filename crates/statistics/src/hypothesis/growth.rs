@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -15,7 +15,7 @@ or band of a fixed number of draws, at the k-th look at level a / (k (k + 1)).
 Gate:    made only where the case has a `bias_bound`.
 Rejects: as biased, or as wrong_law for a law.
 Source:  Ville (1939), Robbins (1970), Darling and Robbins (1967), Howard et al. (2021), Waudby-Smith and Ramdas (2024).",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "growth",
 };
 

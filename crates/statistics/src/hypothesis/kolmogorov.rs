@@ -1,6 +1,6 @@
 use super::distance::{Among, Bracket, sup_distance};
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::ks_two_sided;
 use crate::tally::CellTally;
@@ -19,7 +19,7 @@ D = sup |F_m(u) - u| over the edges of the fine cells,   u = F(t) / F(length) of
 Gate:    at least one collision. Edges make the p-value a few percent conservative, never liberal.
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Source:  Kolmogorov (1933); p by Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951).",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "kolmogorov",
 };
 

@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::larger::larger;
 use crate::law::Law;
 use crate::special::kuiper_sf;
@@ -19,7 +19,7 @@ V = sup (F_m - u) + sup (u - F_m),   p = Q((sqrt m + 0.155 + 0.24 / sqrt m) V)
 Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 0.01 standard deviations.
 Rejects: nothing; shown beside the others. Sees a shift in the middle that ends cancel in `kolmogorov`.
 Source:  Kuiper (1960), Stephens (1970).",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "kuiper",
 };
 

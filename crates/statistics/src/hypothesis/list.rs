@@ -41,7 +41,6 @@ pub const TESTS: &[Test] = &[
 #[cfg(test)]
 mod tests {
     use super::TESTS;
-    use crate::Null;
     use std::fs;
     use std::path::Path;
 
@@ -73,14 +72,6 @@ mod tests {
             faults.into_iter().filter(|(fault, _)| *fault).map(|(_, what)| format!("{} lacks {what}", test.name))
         });
         assert_eq!(missing.collect::<Vec<_>>(), [] as [String; 0]);
-    }
-
-    #[test]
-    fn every_null_is_known() {
-        let known = [Null::Uniform, Null::Discrete { below: 0.0, up_to: 1.0 }, Null::Conservative].map(Null::name);
-        let nulls = TESTS.iter().flat_map(|test| test.nulls.iter().map(move |null| (test.name, null)));
-        let unknown: Vec<_> = nulls.filter(|(_, null)| !known.contains(null)).collect();
-        assert!(unknown.is_empty(), "nobody knows {unknown:?}");
     }
 
     #[test]

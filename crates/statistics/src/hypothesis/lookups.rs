@@ -1,6 +1,6 @@
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::special::student_t_two_sided;
 use freepath_results::Reason;
 
@@ -16,7 +16,7 @@ p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
 ```
 Gate:    20 blocks, and a variance of the total of 400 squared costs.
 Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.",
-    nulls: &["uniform", "conservative"],
+    nulls: &[NullClass::Uniform, NullClass::Conservative],
     section: "lookups",
 };
 

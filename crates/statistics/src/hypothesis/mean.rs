@@ -2,7 +2,7 @@ use super::atom::{binomial_null, nearest, standardised};
 use super::clt_gate::withheld;
 use super::mean_claim::MeanClaim;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, REPORTING_LEVEL};
+use crate::evidence::{Evidence, Null, NullClass, REPORTING_LEVEL};
 use crate::special::{binomial_two_sided, student_t_two_sided};
 use crate::tally::PowerSums;
 use bernstein::bernstein_p;
@@ -40,7 +40,7 @@ Gate:    student_t at |skewness| <= 0.03 sqrt n, skewness_corrected at 0.1 sqrt 
          empirical_bernstein within a claimed range; else withheld as heavy_tail, rare_event or not_enough_draws.
 Rejects: as biased. Weights of channels are `scatter_0`, `surface_0`, `scatter_0_bin_3`, and so on.
 Source:  Clopper and Pearson (1934), Hall (1992), Maurer and Pontil (2009).",
-    nulls: &["uniform", "discrete", "conservative"],
+    nulls: &[NullClass::Uniform, NullClass::Discrete, NullClass::Conservative],
     section: "mean",
 };
 

@@ -1,6 +1,6 @@
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
@@ -19,7 +19,7 @@ Gate:    10,000 collisions.
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Sees:    smooth errors, and errors at the ends; the note names the largest component.
 Source:  Neyman (1937).",
-    nulls: &["uniform", "conservative"],
+    nulls: &[NullClass::Uniform, NullClass::Conservative],
     section: "neyman_16",
 };
 

@@ -1,6 +1,6 @@
 use super::chi_square::least_expected;
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::NullTally;
 use freepath_results::Reason;
@@ -17,7 +17,7 @@ X = sum_j (m_j - sum p_i)^2 / sum p_i (1 - p_i),   p_i = mu(t_i) / mu_bar(t_i) a
 Gate:    neighbouring groups are joined until the variance of each is 50, or 800 over their number.
 Rejects: as wrong_law: an acceptance that does not use mu / mu_bar at the very place of the look-up.
 Source:  each acceptance is a coin of known probability, whatever came before: a martingale.",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "null_positions",
 };
 

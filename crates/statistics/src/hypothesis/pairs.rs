@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::{LagTally, RANK_GROUPS};
 use freepath_results::Reason;
@@ -16,7 +16,7 @@ X = sum (O_ab - R_a C_b / N)^2 / (R_a C_b / N),   dof = (k - 1)^2,   R, C the su
 Gate:    neighbouring groups are joined until each cell expects 50 pairs, or more if there are few.
 Rejects: as dependent: dependence that leaves no correlation, such as a reused uniform that was folded.
 Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep the chi-square law.",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "pairs_16",
 };
 

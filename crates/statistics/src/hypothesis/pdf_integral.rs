@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -12,7 +12,7 @@ int_0^length pdf + P(surface) = 1, to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "pdf_integral",
 };
 

@@ -1,6 +1,6 @@
 use super::chi_square::{least_expected, residual};
 use super::record::Test;
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::CountTally;
 use freepath_results::Reason;
@@ -17,7 +17,7 @@ P(N = n) = L^n exp(-L) / n!,   L = int mu_bar
 Gate:    neighbouring counts are pooled until each expects 50 draws, or more if there are few.
 Rejects: as wrong_cost: a walk under another majorant, or one that stops early.
 Source:  Pearson (1900) for the statistic.",
-    nulls: &["uniform"],
+    nulls: &[NullClass::Uniform],
     section: "poisson_count",
 };
 

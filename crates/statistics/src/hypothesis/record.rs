@@ -1,3 +1,5 @@
+use crate::evidence::NullClass;
+
 /// What identifies a test, in the test's own file: all that is told of it elsewhere is read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Test {
@@ -7,8 +9,8 @@ pub struct Test {
     pub words: &'static str,
     /// Formula, gate, what a rejection means, what it sees, and its source.
     pub details: &'static str,
-    /// Which laws its p-values may have where its claim holds, by [`Null::name`](crate::evidence::Null::name).
-    pub nulls: &'static [&'static str],
+    /// Which laws its p-values may have where its claim holds.
+    pub nulls: &'static [NullClass],
     /// Its section of `docs/statistics.md`, as a link has it.
     pub section: &'static str,
 }

@@ -2,7 +2,7 @@ use super::atom::standardised;
 use super::chi_square::lessened;
 use super::mean::gate;
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use freepath_results::Reason;
@@ -19,7 +19,7 @@ z = (mean X^2 - m2) / sqrt((m4 - m2^2) / n),   m2, m4, m6 by formula, never from
 Gate:    a skewness of X^2 (from m6) of at most 0.1 sqrt n.
 Rejects: as wrong_variance: right mean, wrong spread.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
-    nulls: &["uniform", "conservative"],
+    nulls: &[NullClass::Uniform, NullClass::Conservative],
     section: "second_moment",
 };
 

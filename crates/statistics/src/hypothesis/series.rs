@@ -1,7 +1,7 @@
 use super::atom::atom;
 use super::chi_square::chi_square;
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::tally::CellTally;
 use freepath_results::Reason;
@@ -17,7 +17,7 @@ T(0, d) = T(0, s) T(s, d):   p = min(1, 2 min(p of the atom, p of 16 cells))
 ```
 Gate:    as atom and chi_square_16.
 Rejects: as wrong_law: a uniform or a state that is used again across a boundary, where each part alone is exact.",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "series",
 };
 

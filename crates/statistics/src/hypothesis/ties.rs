@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null};
+use crate::evidence::{Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::poisson_sf;
 use crate::tally::TieTally;
@@ -17,7 +17,7 @@ pairs ~ Poisson(share m (m - 1) / 2 x pair),   one-sided,   pair = P(two draws a
 Gate:    made only where the law is continuous and independence is claimed.
 Rejects: as dependent: copied streams, repeated rows, quantised or clamped distances. Draws in single precision must
          declare `resolution_bits` 24.",
-    nulls: &["conservative"],
+    nulls: &[NullClass::Conservative],
     section: "ties",
 };
 
