@@ -30,7 +30,7 @@ impl Interval {
     }
 }
 
-/// An interval for the bias at confidence 1 - `level`, by the method that [`mean`] takes.
+/// An interval for the bias at confidence 1 - `level`, by the method that [`mean`](super::mean()) takes.
 #[must_use]
 pub fn interval_at(sums: &PowerSums, claim: &MeanClaim, level: f64) -> Interval {
     interval(sums, claim, method(sums, claim), level)
