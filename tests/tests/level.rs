@@ -98,7 +98,7 @@ fn auxiliary_numbers_keep_their_level() {
     let ray = Ray::of(&medium);
     let experiment = free_path(&WithAuxiliary, ray);
     let subject = Subject { draws: 16_384, ..Subject::new(&experiment) };
-    let p: Vec<f64> = (0..300).filter_map(|seed| judgement(&subject, 1000 + seed).p("mark")).collect();
+    let p: Vec<f64> = (0..300).filter_map(|seed| judgement(&subject, 1000 + seed).p("auxiliary")).collect();
     for level in [0.01, 0.05, 0.25, 0.5, 0.75] {
         let below = p.iter().filter(|p| !(**p > level)).count() as u64;
         assert!(binomial_two_sided(300, level, below) > 1e-4, "{below} of {} at {level}", p.len());

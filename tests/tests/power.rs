@@ -66,7 +66,7 @@ fn what_is_right_is_never_caught() {
 
 #[test]
 fn a_setting_that_does_not_hide_its_fault_is_told() {
-    let masks_fault = r#""innocent": true, "expect": { "fail": "bound_violated" }"#;
+    let masks_fault = r#""masks_fault": true, "expect": { "fail": "bound_violated" }"#;
     let results = table(&[short(0.9999, masks_fault), short(0.6, masks_fault)].join(", "), 500_000);
     let [hidden, seen] = &results.rows[..] else { panic!("{results:?}") };
     assert!(hidden.role == Role::Hidden && hidden.silent && hidden.as_expected, "{hidden:?}");

@@ -27,7 +27,7 @@ const CASES: &[(&str, u64)] = &[
     ("controls/dropped_channel", 16_384),
     ("controls/dropped_channel_dense", 16_384),
     ("controls/half_step", 16_384),
-    ("controls/innocent_majorant", 16_384),
+    ("controls/masked_majorant", 16_384),
     ("controls/leaked_record", 16_384),
     ("controls/rounded_null", 131_072),
     ("controls/same_seed", 16_384),

@@ -37,7 +37,7 @@ pub struct SubjectResult {
     /// Names of planted faults, laid in this order.
     pub faults: Vec<String>,
     /// The setting hides the planted faults from the plain statistical tests.
-    #[serde(rename = "innocent", skip_serializing_if = "std::ops::Not::not", default)]
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub masks_fault: bool,
     /// Draws asked for in stage 1.
     pub draws_requested: u64,

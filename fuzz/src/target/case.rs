@@ -80,7 +80,7 @@ pub(super) const WORDS: &[&str] = &[
     "biased",
     "wrong_law",
     "fault",
-    "innocent",
+    "masks_fault",
     "without",
     "bounded",
     "truth",

@@ -49,7 +49,8 @@ fn joint_laws_see_what_the_law_of_t_hides() {
     let folded = of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000);
     let resumed = of_path(&Resumed::default(), 100_000);
     let marked = of_path(&WithAuxiliary(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
-    let all = [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("mark", marked)];
+    let all =
+        [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("auxiliary", marked)];
     for (name, judgement) in all {
         let low = |judged: &freepath_statistics::Judged| -> Vec<String> {
             let low = judged.evidence.iter().filter(|e| e.p.is_some_and(|p| !(p > 1e-4)));

@@ -30,7 +30,7 @@ pub(crate) fn walks() -> Vec<(&'static str, Reason, Judgement)> {
         ("null_positions", Reason::WrongLaw, in_the_ramp()),
         ("series", Reason::WrongLaw, of_path(&Resumed::default(), 100_000)),
         (
-            "mark",
+            "auxiliary",
             Reason::Dependent,
             of_path(&WithAuxiliary(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000),
         ),

@@ -7,11 +7,11 @@
 //! cargo run --release -p freepath-calibration --bin levels > docs/levels.md
 //! ```
 
+mod auxiliary;
 mod exposure;
 mod kolmogorov;
 mod lag;
 mod lookups;
-mod marks;
 mod means;
 mod neyman;
 mod null_positions;
@@ -59,7 +59,7 @@ const TESTS: [(&str, Measure); 11] = [
     ("lookups", lookups::rows),
     ("lag", lag::rows),
     ("pairs", pairs::rows),
-    ("mark agree", marks::rows),
+    ("auxiliary agree", auxiliary::rows),
     ("neyman", neyman::rows),
     ("kolmogorov", kolmogorov::rows),
 ];

@@ -14,7 +14,7 @@ fn with_control(name: &str) -> PathBuf {
     };
     let subjects = [
         short("gross", 0.5, r#""without": ["bounded"], "expect": { "fail": "wrong_law" }"#),
-        short("hidden", 0.999, r#""innocent": true, "expect": { "fail": "bound_violated" }"#),
+        short("hidden", 0.999, r#""masks_fault": true, "expect": { "fail": "bound_violated" }"#),
         r#"{ "transmittance": { "ratio_tracking": {} }, "majorant": { "factor": 0.8 }, "expect": "pass" }"#
             .to_string(),
     ];

@@ -40,12 +40,12 @@ impl CaseFile {
         self.check_effort()
     }
 
-    /// An innocent setting hides a fault, and says what is to be found all the same.
+    /// A setting that masks a fault hides a fault, and says what is to be found all the same.
     fn check_masks_fault(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
         let faults = subject.fault.as_ref().map_or(0, |faults| faults.0.len());
         if subject.masks_fault && (faults == 0 || subject.expect.is_none()) {
-            let why = "an innocent setting needs what it hides and what is expected (a `fault` and an `expect`)";
-            return Err(self.refuse(&format!("{at}.innocent"), why));
+            let why = "a setting that masks a fault needs what it hides and what is expected (a `fault` and an `expect`)";
+            return Err(self.refuse(&format!("{at}.masks_fault"), why));
         }
         Ok(())
     }

@@ -61,7 +61,7 @@ macro_rules! subjects {
             #[serde(skip_serializing_if = "Option::is_none", default)]
             pub fault: Option<Faults>,
             /// This setting hides the planted fault from the plain statistical tests; `expect` says what still sees it, if anything.
-            #[serde(rename = "innocent", skip_serializing_if = "std::ops::Not::not", default)]
+            #[serde(skip_serializing_if = "std::ops::Not::not", default)]
             pub masks_fault: bool,
             /// Claims withdrawn.
             #[serde(skip_serializing_if = "Vec::is_empty", default)]

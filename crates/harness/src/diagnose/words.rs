@@ -8,8 +8,26 @@ pub(super) fn listed(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
+/// A name of former case files.
+struct Former {
+    name: &'static str,
+    now: &'static str,
+}
+
+/// What has another name now. A file is not read as if it had been written anew: who wrote it is to know.
+const FORMER: [Former; 1] = [Former { name: "innocent", now: "masks_fault" }];
+
+/// What `name` is called now, if it was renamed and stood here.
+fn now<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    let now = FORMER.iter().find(|former| former.name == name)?.now;
+    allowed.iter().copied().find(|&each| each == now)
+}
+
 /// The message for a name that is not in `allowed`. `kind` says what it names.
 pub(super) fn unknown(kind: &str, name: &str, allowed: &[&str]) -> String {
+    if let Some(now) = now(name, allowed) {
+        return format!("unknown {kind} `{name}` (it is called `{now}` now)");
+    }
     let hint = match nearest(name, allowed) {
         Some(near) => format!("did you mean `{near}`? allowed: {}", listed(allowed)),
         None if allowed.is_empty() => "none is allowed here".to_owned(),
@@ -79,5 +97,15 @@ mod tests {
             assert_eq!(nearest(name, &allowed), near, "{name}");
         }
         assert_eq!(nearest(&"mu".repeat(1000), &allowed), None);
+    }
+
+    #[test]
+    fn a_former_name_is_refused_with_its_new_one() {
+        let allowed = ["masks_fault", "fault"];
+        assert_eq!(
+            unknown("field", "innocent", &allowed),
+            "unknown field `innocent` (it is called `masks_fault` now)"
+        );
+        assert!(unknown("field", "innocent", &["title"]).contains("allowed: `title`"));
     }
 }

@@ -159,10 +159,10 @@ fn spoilt_chromatic_weights_have_the_known_size() {
 
 #[test]
 fn a_setting_that_masks_its_fault_says_what_it_hides() {
-    let text = format!(r#"{{ "title": "t", "medium": {A}, "subjects": [ {{ {DELTA}, "innocent": true }} ] }}"#);
+    let text = format!(r#"{{ "title": "t", "medium": {A}, "subjects": [ {{ {DELTA}, "masks_fault": true }} ] }}"#);
     let refused = CaseFile::parse(Path::new("case.json"), text).expect("a case").prepare(&Limits::default());
     let message = refused.err().map(|error| error.to_string()).unwrap_or_default();
-    assert!(message.contains("an innocent setting needs"), "{message}");
+    assert!(message.contains("a setting that masks a fault needs"), "{message}");
 }
 
 #[test]

@@ -25,8 +25,8 @@ impl Claim for AuxiliaryClaim {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let numbers = tallies.counts(self.numbers);
-        let what = "marks do not lie in [0, 1)";
+        let what = "auxiliary numbers do not lie in [0, 1)";
         into.facts.extend(counted(check::FINITE, numbers.spoilt, Reason::NonFinite, what));
-        into.evidence.push(hypothesis::mark(numbers));
+        into.evidence.push(hypothesis::auxiliary(numbers));
     }
 }

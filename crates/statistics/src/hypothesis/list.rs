@@ -1,7 +1,7 @@
 use super::record::Test;
 use super::{
-    agree, anderson_darling, atom, berk_jones, chi_square, coleman, cramer_von_mises, exposure, growth,
-    kolmogorov, kuiper, lag, lookups, mark, mean, neyman, null_positions, pairs, pdf_integral, poisson_count,
+    agree, anderson_darling, atom, auxiliary, berk_jones, chi_square, coleman, cramer_von_mises, exposure, growth,
+    kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs, pdf_integral, poisson_count,
     second_moment, series, ties,
 };
 
@@ -26,7 +26,7 @@ pub const TESTS: &[Test] = &[
     pairs::TEST,
     null_positions::TEST,
     series::TEST,
-    mark::TEST,
+    auxiliary::TEST,
     mean::TEST,
     growth::TEST,
     second_moment::TEST,

@@ -7,8 +7,8 @@ use freepath_results::Reason;
 
 /// The test's record.
 pub(super) const TEST: Test = Test {
-    name: "mark",
-    words: "The mark that a sampler gives with each distance, such as the cosine of the direction it started in, is \
+    name: "auxiliary",
+    words: "The auxiliary number that a sampler gives with each distance, such as the cosine of the direction it started in, is \
 uniform and independent of the distance: a table of 16 x 16 groups.",
     details: "\
 ```text
@@ -17,10 +17,10 @@ X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 rows,   R_a draws in group 
 Gate:    groups of the distance are joined until each cell expects 50 draws, or more if there are few.
 Rejects: as dependent: a direction and a flight from one random number, each right by itself.",
     nulls: &[NullClass::Uniform],
-    section: "mark",
+    section: "auxiliary",
 };
 
-/// Marks given distances.
+/// Auxiliary numbers given distances.
 ///
 /// ```text
 /// X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 x rows,   R_a draws in group a of the distance
@@ -29,7 +29,7 @@ Rejects: as dependent: a direction and a flight from one random number, each rig
 /// R_a is as it was drawn, so that a wrong law is not called dependent. Neighbouring groups of the distance are joined until
 /// each cell expects 50, or 800 over the cells.
 #[must_use]
-pub fn mark(tally: &AuxiliaryTally) -> Evidence {
+pub fn auxiliary(tally: &AuxiliaryTally) -> Evidence {
     let columns = tally.counts[0].len();
     let tables = [50.0, 100.0, 200.0].map(|least| joined(tally, least * columns as f64));
     let enough = |rows: &Vec<Vec<u64>>| {
@@ -37,7 +37,7 @@ pub fn mark(tally: &AuxiliaryTally) -> Evidence {
         !rows.is_empty() && rows.iter().all(|row| share(row) >= least_expected(rows.len() * columns))
     };
     let Some(rows) = tables.into_iter().find(enough) else {
-        return Evidence::withheld(TEST.name, f64::NAN, Reason::Dependent, "too few marked draws");
+        return Evidence::withheld(TEST.name, f64::NAN, Reason::Dependent, "too few draws with a number");
     };
     let statistic: f64 = rows.iter().map(|row| of_row(row)).sum();
     let dof = (rows.len() * (columns - 1)) as f64;
@@ -73,30 +73,30 @@ mod tests {
     use crate::tally::{CellTally, Scores};
     use freepath_draws::random::uniform;
 
-    fn tally(mark: impl Fn(f64, f64) -> f64) -> AuxiliaryTally {
+    fn tally(number: impl Fn(f64, f64) -> f64) -> AuxiliaryTally {
         let law = Law::new(2.0, 0.0, |t| libm::exp(-t));
         let (mut tally, mut index, scores) = (AuxiliaryTally::default(), Vec::new(), Scores::new(&law));
         let mut rng = freepath_draws::Key::default().rng();
         let mut draw = |_| {
             let (t, u) = (uniform(&mut rng), uniform(&mut rng));
-            (2.0 * t, mark(t, u))
+            (2.0 * t, number(t, u))
         };
-        let (t, marks): (Vec<f64>, Vec<f64>) = (0..60_000).map(&mut draw).unzip();
+        let (t, numbers): (Vec<f64>, Vec<f64>) = (0..60_000).map(&mut draw).unzip();
         CellTally::new(&law).observe(&law, &t, &mut index);
-        tally.observe(&scores, &marks, &index);
+        tally.observe(&scores, &numbers, &index);
         tally
     }
 
     #[test]
-    fn independent_marks_pass_and_others_do_not() {
-        assert!(mark(&tally(|_, u| u)).p > Some(1e-3));
-        assert!(mark(&tally(|t, u| if u < 0.1 { t } else { (u - 0.1) / 0.9 })).p < Some(1e-9));
-        assert!(mark(&tally(|_, u| u * u)).p < Some(1e-9));
+    fn independent_numbers_pass_and_others_do_not() {
+        assert!(auxiliary(&tally(|_, u| u)).p > Some(1e-3));
+        assert!(auxiliary(&tally(|t, u| if u < 0.1 { t } else { (u - 0.1) / 0.9 })).p < Some(1e-9));
+        assert!(auxiliary(&tally(|_, u| u * u)).p < Some(1e-9));
     }
 
     #[test]
-    fn spoilt_marks_are_counted_and_none_are_withheld() {
+    fn spoilt_numbers_are_counted_and_none_are_withheld() {
         let spoilt = tally(|t, u| if t < 0.5 { f64::NAN } else { 1.0 + u });
-        assert_eq!((spoilt.spoilt, mark(&spoilt).p), (60_000, None));
+        assert_eq!((spoilt.spoilt, auxiliary(&spoilt).p), (60_000, None));
     }
 }

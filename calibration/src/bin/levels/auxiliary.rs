@@ -1,4 +1,4 @@
-//! Marks by distance, and two samples of one law by cell: rows of a table, each a multinomial of its own.
+//! Auxiliary numbers by distance, and two samples of one law by cell: rows of a table, each a multinomial of its own.
 
 use crate::Effort;
 use crate::table::Row;
@@ -6,7 +6,7 @@ use freepath_calibration::multinomial::{Multinomial, quantile};
 use freepath_calibration::tail::Tail;
 use freepath_results::Reason;
 use freepath_statistics::Evidence;
-use freepath_statistics::hypothesis::{agree_law, mark};
+use freepath_statistics::hypothesis::{agree_law, auxiliary};
 use freepath_statistics::special::chi_square_sf;
 use freepath_statistics::tally::{AuxiliaryTally, CellTally};
 
@@ -20,9 +20,9 @@ struct Table {
 }
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
-    let marks = [1, 4, 16].map(|rows| {
-        let table = Table { rows, columns: 16, each: 50.0, dof: 15 * rows, test: of_marks };
-        Row::new("mark", format!("groups of distance: {rows}, 50 in each cell"), true, |level| {
+    let numbers = [1, 4, 16].map(|rows| {
+        let table = Table { rows, columns: 16, each: 50.0, dof: 15 * rows, test: of_numbers };
+        Row::new("auxiliary", format!("groups of distance: {rows}, 50 in each cell"), true, |level| {
             vec![table.tail(level, effort)]
         })
     });
@@ -31,7 +31,7 @@ pub(crate) fn rows(effort: Effort) -> Vec<Row> {
         let setting = format!("{rows} cells that hold {:.0} draws of both samples, no escapes", 2.0 * each);
         Row::new("agree_majorant", setting, true, |level| vec![table.tail(level, effort)])
     });
-    marks.into_iter().chain(samples).collect()
+    numbers.into_iter().chain(samples).collect()
 }
 
 impl Table {
@@ -47,12 +47,12 @@ impl Table {
     }
 }
 
-fn of_marks(counts: &[Vec<u64>]) -> Evidence {
+fn of_numbers(counts: &[Vec<u64>]) -> Evidence {
     let mut tally = AuxiliaryTally::default();
     for (group, row) in tally.counts.iter_mut().zip(counts) {
         group.copy_from_slice(row);
     }
-    mark(&tally)
+    auxiliary(&tally)
 }
 
 /// A row for each cell: what it holds of either sample.
