@@ -76,4 +76,22 @@ impl<'a> Block<'a> {
     pub(crate) fn u32(&self, column: &str) -> Result<&'a [u32], MissingColumn> {
         self.draws.u32(column)
     }
+
+    /// Hands `each` the numbers of some columns, row by row.
+    ///
+    /// # Errors
+    /// If one of the columns is not there.
+    pub(crate) fn for_each_row(
+        &self,
+        columns: &[&str],
+        mut each: impl FnMut(&[f64]),
+    ) -> Result<(), MissingColumn> {
+        let columns: Vec<&[f64]> = columns.iter().map(|name| self.f64(name)).collect::<Result<_, _>>()?;
+        let mut row = vec![0.0; columns.len()];
+        for i in 0..self.draws.rows() {
+            row.iter_mut().zip(&columns).for_each(|(number, column)| *number = column[i]);
+            each(&row);
+        }
+        Ok(())
+    }
 }

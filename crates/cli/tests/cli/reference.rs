@@ -61,6 +61,9 @@ fn example(folder: &Path, kind: &str, name: &str) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|why| panic!("{text}: {why}"))
 }
 
+/// A file of samples for each kind whose rows have several columns.
+const TABLES: &[(&str, &str)] = &[("chromatic", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n")];
+
 #[test]
 fn every_example_can_be_run() {
     let folder = folder("examples");
@@ -70,10 +73,11 @@ fn every_example_can_be_run() {
         if ["test", "check", "fault"].contains(&kind) || name == "voxel_grid" {
             continue;
         }
-        if (kind, name) == ("chromatic", "samples") {
-            let mut case = case(kind, name, &example(&folder, kind, name));
-            case["subjects"][0]["chromatic"]["samples"]["file"] = json!("table.csv");
-            put(&folder, "cases/table.csv", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n");
+        let table = TABLES.iter().find(|(with, _)| name == "samples" && *with == kind);
+        if let Some((_, text)) = table {
+            let (mut case, file) = (case(kind, name, &example(&folder, kind, name)), format!("{kind}.csv"));
+            case["subjects"][0][kind]["samples"]["file"] = json!(file);
+            put(&folder, &format!("cases/{file}"), text);
             put(&folder, &format!("cases/{i}.json"), &case.to_string());
             continue;
         }

@@ -7,13 +7,13 @@ use crate::judged::Judged;
 use freepath_draws::Draws;
 use freepath_results::{ClaimResult, Reason};
 
-/// Every number of a column lies where its law has mass.
+/// Every row lies where the law of its columns has mass.
 pub struct Domain {
-    /// The column.
-    pub column: &'static str,
+    /// The columns.
+    pub columns: &'static [&'static str],
     /// Where that is, atoms among it.
     pub inside: Inside,
-    /// Where the numbers lie.
+    /// Where the rows lie.
     pub places: FoldId<Places>,
 }
 
@@ -34,12 +34,13 @@ impl Claim for Domain {
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
-        let x = draws.f64(self.column).ok()?[row];
-        if x.is_nan() {
+        let column = |name: &&str| draws.f64(name).ok().map(|column| column[row]);
+        let numbers: Vec<f64> = self.columns.iter().map(column).collect::<Option<_>>()?;
+        if numbers.iter().any(|x| x.is_nan()) {
             return Some(Finding { reason: Reason::NonFinite, what: "a draw is NaN".into() });
         }
-        let what = || format!("the draw {x:e} lies where the law has no mass");
-        (!(self.inside)(x)).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
+        let what = || format!("the draw {} lies where the law has no mass", listed(&numbers));
+        (!(self.inside)(&numbers)).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
@@ -47,6 +48,10 @@ impl Claim for Domain {
         into.audit.non_finite += seen.non_finite;
         into.audit.out_of_support += seen.outside;
     }
+}
+
+fn listed(numbers: &[f64]) -> String {
+    numbers.iter().map(|x| format!("{x:e}")).collect::<Vec<_>>().join(", ")
 }
 
 /// Each atom is drawn as often as its mass says, beside the atom of them all.

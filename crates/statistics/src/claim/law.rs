@@ -79,7 +79,7 @@ impl Claim for LawClaim {
 /// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
 pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason, into: &mut Judged) {
     let n = cells.draws();
-    let fine = (2.0 * libm::pow(n as f64, 0.4)) as usize;
+    let fine = fine_cells(n);
     let all = [
         hypothesis::atom(n, cells.escapes, law.atom(), law.slack(), reason),
         hypothesis::chi_square("chi_square_16", law, cells, 16, reason),
@@ -93,6 +93,11 @@ pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason
         hypothesis::neyman(law, cells, reason),
     ];
     into.evidence.extend(all.into_iter().map(|evidence| prefixed(prefix, evidence)));
+}
+
+/// The cells of the finest chi-square of so many draws (Mann and Wald 1942).
+pub(super) fn fine_cells(draws: u64) -> usize {
+    (2.0 * libm::pow(draws as f64, 0.4)) as usize
 }
 
 /// The same test of another law.

@@ -6,16 +6,16 @@ use freepath_results::ClaimResult;
 
 /// The density that a sampler returns is one: an identity without noise.
 pub struct PdfIntegral {
-    /// Its integral over the ray, plus the probability of the end.
+    /// Its integral over all that may be drawn, plus the probability of what has no density.
     pub integral: f64,
+    /// Over what, in words.
+    pub over: &'static str,
 }
 
 impl Claim for PdfIntegral {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new(
-            "pdf_integral",
-            "the density that the sampler returns integrates to 1 over the ray and its end",
-        ))
+        let statement = format!("the density that the sampler returns integrates to 1 over {}", self.over);
+        Some(ClaimResult::new("pdf_integral", statement))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {

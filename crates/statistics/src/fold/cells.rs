@@ -62,12 +62,8 @@ impl Fold for Cells {
 
 impl Rank {
     fn column(&self, block: &Block) -> Result<Vec<f64>, MissingColumn> {
-        let columns: Vec<&[f64]> = self.columns.iter().map(|name| block.f64(name)).collect::<Result<_, _>>()?;
-        let mut row = vec![0.0; columns.len()];
-        let rank = |i: usize| {
-            row.iter_mut().zip(&columns).for_each(|(number, column)| *number = column[i]);
-            (self.of)(&row)
-        };
-        Ok((0..block.draws.rows()).map(rank).collect())
+        let mut ranks = Vec::with_capacity(block.draws.rows());
+        block.for_each_row(self.columns, |row| ranks.push((self.of)(row)))?;
+        Ok(ranks)
     }
 }

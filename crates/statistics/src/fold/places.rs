@@ -3,23 +3,23 @@ use crate::block::{Block, Scratch};
 use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
-/// Where a column may lie.
-pub type Inside = Arc<dyn Fn(f64) -> bool + Send + Sync>;
+/// Where the columns of a row may lie, in their order.
+pub type Inside = Arc<dyn Fn(&[f64]) -> bool + Send + Sync>;
 
-/// Numbers of a column that lie where they may not, and those that are atoms.
+/// Rows that lie where they may not, and those that are atoms.
 pub struct Places {
-    /// The column.
-    pub column: &'static str,
-    /// Where a number that is no atom may lie.
+    /// The columns.
+    pub columns: &'static [&'static str],
+    /// Where a row that is no atom may lie.
     pub inside: Inside,
-    /// The atoms.
+    /// The atoms of the first column.
     pub atoms: Vec<f64>,
 }
 
-/// How many numbers lie where.
+/// How many rows lie where.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlaceCounts {
-    /// NaN.
+    /// NaN in any column.
     pub non_finite: u64,
     /// Where there is no mass.
     pub outside: u64,
@@ -44,13 +44,13 @@ impl Fold for Places {
     }
     fn no_sums(&self) {}
     fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut PlaceCounts) -> Result<(), MissingColumn> {
-        for &x in block.f64(self.column)? {
-            match self.atoms.iter().position(|atom| x.total_cmp(atom).is_eq()) {
+        block.for_each_row(self.columns, |row| {
+            let is_here = |atom: &f64| row.first().is_some_and(|x| x.total_cmp(atom).is_eq());
+            match self.atoms.iter().position(is_here) {
                 Some(atom) => counts.atoms[atom] += 1,
-                None if x.is_nan() => counts.non_finite += 1,
-                None => counts.outside += u64::from(!(self.inside)(x)),
+                None if row.iter().any(|x| x.is_nan()) => counts.non_finite += 1,
+                None => counts.outside += u64::from(!(self.inside)(row)),
             }
-        }
-        Ok(())
+        })
     }
 }

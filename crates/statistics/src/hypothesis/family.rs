@@ -7,11 +7,15 @@ fn test(name: &str) -> Option<&'static Test> {
     TESTS.iter().find(|test| test.name == name)
 }
 
+/// What the same tests of other numbers than those of the main law begin with: of the law that a method has by design, of the
+/// second rank of a row, of both ranks at once.
+const PREFIXES: [&str; 3] = ["own_", "second_rank_", "joint_"];
+
 /// The name in [`TESTS`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
 /// `mean`.
 #[must_use]
 pub fn family(name: &str) -> &str {
-    let name = name.strip_prefix("own_").unwrap_or(name);
+    let name = PREFIXES.iter().find_map(|prefix| name.strip_prefix(prefix)).unwrap_or(name);
     if test(name).is_some() {
         name
     } else if name.starts_with("atom_") {
@@ -41,5 +45,6 @@ mod tests {
             ["own_atom", "scatter_0_bin_3", "surface_2", "second_moment_scatter_1", "chi_square_16", "atom_1"];
         let to = ["atom", "mean", "mean", "second_moment", "chi_square_16", "atom"];
         assert_eq!(of.map(family), to);
+        assert_eq!(["second_rank_kuiper", "joint_chi_square_64"].map(family), ["kuiper", "chi_square_64"]);
     }
 }

@@ -5,10 +5,10 @@ use freepath_results::Reason;
 /// The test's record.
 pub(super) const TEST: Test = Test {
     name: "pdf_integral",
-    words: "The density that a chromatic sampler returns, integrated over the ray, plus its probability of reaching the surface, is 1: an identity without noise.",
+    words: "The density that a sampler returns, integrated over all that it may draw, is 1: an identity without noise.",
     details: "\
 ```text
-int_0^length pdf + P(surface) = 1, to 1e-9
+int_0^length pdf + P(surface) = 1 of channels on a ray,   int pdf = 1 of directions over the sphere,   to 1e-9
 ```
 Gate:    none: there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.",
@@ -16,7 +16,7 @@ Rejects: as wrong_law.",
     section: "pdf_integral",
 };
 
-/// A density whose integral over the ray and the end is `integral` is one: an identity without noise.
+/// A density whose integral over all that may be drawn is `integral` is one: an identity without noise.
 #[must_use]
 pub fn pdf_integral(integral: f64) -> Evidence {
     let p = f64::from(u8::from((integral - 1.0).abs() <= 1e-9));

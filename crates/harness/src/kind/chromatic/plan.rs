@@ -37,7 +37,7 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     }
     Events::rows(medium.media().len(), &mut claims);
     if let Some(integral) = source.sampler().filter(|_| known).and_then(|sampler| integral(sampler, medium)) {
-        claims.push(PdfIntegral { integral });
+        claims.push(PdfIntegral { integral, over: "the ray and its end" });
     }
     if let Some(events) = events {
         events.means(&mut claims);

@@ -17,11 +17,11 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
     let cells = claims.folds.add(Cells { values, law: law.clone(), index });
     let inside: Inside = Arc::new({
         let target = target.clone();
-        move |x| target.has_mass(x)
+        move |row| row.iter().all(|&x| target.has_mass(x))
     });
     let atoms = target.atoms().iter().map(|atom| atom.at).collect();
-    let places = claims.folds.add(Places { column: X, inside: inside.clone(), atoms });
-    claims.push(Domain { column: X, inside, places });
+    let places = claims.folds.add(Places { columns: &[X], inside: inside.clone(), atoms });
+    claims.push(Domain { columns: &[X], inside, places });
     if external {
         claims.push(EnoughRows);
     }
@@ -64,11 +64,14 @@ fn rank(target: Arc<Target>) -> RankOf {
     Arc::new(move |row| {
         let x = row[0];
         let is_atom = target.atoms().iter().any(|atom| x.total_cmp(&atom.at).is_eq());
-        match () {
-            () if x.is_nan() => f64::NAN,
-            () if is_atom => f64::INFINITY,
-            () if !target.holds(x) => -1.0,
-            () => target.continuous_mass(x) / share,
+        if x.is_nan() {
+            f64::NAN
+        } else if is_atom {
+            f64::INFINITY
+        } else if target.holds(x) {
+            target.continuous_mass(x) / share
+        } else {
+            -1.0
         }
     })
 }
