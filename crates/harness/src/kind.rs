@@ -39,6 +39,8 @@ kinds! {
     estimate::Estimate,
     /// A sampler of a density on a line.
     density::Density,
+    /// A sampler of directions about a normal.
+    direction::Direction,
 }
 
 /// The kind that a sampler's trait belongs to.

@@ -78,6 +78,7 @@ macro_rules! scenes {
 
 scenes! {
     density_1d::Density1d,
+    directions::Directions,
     number::Number,
 }
 

@@ -4,6 +4,7 @@
 mod by_design;
 mod chromatic;
 mod density;
+mod direction;
 mod estimates;
 mod every_test;
 mod facts;

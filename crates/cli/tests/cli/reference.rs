@@ -62,7 +62,10 @@ fn example(folder: &Path, kind: &str, name: &str) -> Value {
 }
 
 /// A file of samples for each kind whose rows have several columns.
-const TABLES: &[(&str, &str)] = &[("chromatic", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n")];
+const TABLES: &[(&str, &str)] = &[
+    ("chromatic", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n"),
+    ("direction", "x,y,z\n0,0,1\n0,0.6,0.8\n"),
+];
 
 #[test]
 fn every_example_can_be_run() {
