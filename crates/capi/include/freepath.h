@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// What a check says. The numbers are those of the command's exit codes.
+// The verdict of a check. The numbers are those of the command's exit codes.
 typedef enum fp_verdict {
   // No claim is rejected.
   FP_PASS = 0,
@@ -32,13 +32,13 @@ typedef struct fp_options {
   uint64_t seed;
   // Draws of the first stage, rounded up to blocks of 16,384; 131,072 by default. A suspect gets twice as many fresh ones.
   uint64_t draws;
-  // How far every claim may be off, 6e-8 for a sampler in single precision; 0 by default.
+  // The most by which any claim may be off, 6e-8 for a sampler in single precision; 0 by default.
   double tolerance;
   // Bits of the uniforms that the sampler makes of its own, 24 for single precision; 53 by default.
   uint32_t resolution_bits;
   // Threads that may call the callback at a time, at most 1024; 1 by default. The verdict does not depend on it.
   uint32_t threads;
-  // Whether the callback claims that no look-up exceeds the majorant, as delta tracking must and ratio tracking need not;
+  // True if the callback claims no look-up above the majorant, as delta tracking must and ratio tracking need not;
   // true by default.
   bool bounded;
 } fp_options;
@@ -100,13 +100,13 @@ double fp_length(const struct fp_medium *medium);
 double fp_majorant(const struct fp_medium *medium,
                    double t);
 
-// How many majorant segments the ray has, at least 1; 0 for a null medium.
+// The number of majorant segments of the ray, at least 1; 0 for a null medium.
 //
 // # Safety
 // As for `fp_mu`.
 size_t fp_segments(const struct fp_medium *medium);
 
-// Where majorant segment `i` ends; the last ends at the length. NaN if there is no such segment.
+// The end of majorant segment `i`; that of the last is the length. NaN if there is no such segment.
 //
 // # Safety
 // As for `fp_mu`.

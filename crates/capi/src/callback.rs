@@ -13,7 +13,7 @@ use std::panic::resume_unwind;
 pub(crate) struct Callback {
     pub(crate) draw: unsafe extern "C" fn(*mut c_void, *const fp_medium, *mut fp_rng) -> f64,
     pub(crate) user: *mut c_void,
-    /// Whether it says that no look-up exceeds the majorant.
+    /// True if it says that no look-up exceeds the majorant.
     pub(crate) bounded: bool,
 }
 

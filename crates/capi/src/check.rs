@@ -15,7 +15,7 @@ use std::ffi::{c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-/// What a check says. The numbers are those of the command's exit codes.
+/// The verdict of a check. The numbers are those of the command's exit codes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fp_verdict {
@@ -37,13 +37,13 @@ pub struct fp_options {
     pub seed: u64,
     /// Draws of the first stage, rounded up to blocks of 16,384; 131,072 by default. A suspect gets twice as many fresh ones.
     pub draws: u64,
-    /// How far every claim may be off, 6e-8 for a sampler in single precision; 0 by default.
+    /// The most by which any claim may be off, 6e-8 for a sampler in single precision; 0 by default.
     pub tolerance: f64,
     /// Bits of the uniforms that the sampler makes of its own, 24 for single precision; 53 by default.
     pub resolution_bits: u32,
     /// Threads that may call the callback at a time, at most 1024; 1 by default. The verdict does not depend on it.
     pub threads: u32,
-    /// Whether the callback claims that no look-up exceeds the majorant, as delta tracking must and ratio tracking need not;
+    /// True if the callback claims no look-up above the majorant, as delta tracking must and ratio tracking need not;
     /// true by default.
     pub bounded: bool,
 }

@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// The medium along a ray. Every look-up is counted and held against the majorant.
 pub struct fp_medium<'a> {
     inner: &'a dyn Extinction,
-    /// What a look-up threw: it must not cross the callback, and is thrown again behind it.
+    /// The payload of a look-up's panic: it must not cross the callback, and is thrown again behind it.
     thrown: Cell<Option<Box<dyn Any + Send>>>,
 }
 
@@ -17,7 +17,7 @@ impl<'a> fp_medium<'a> {
         Self { inner, thrown: Cell::new(None) }
     }
 
-    /// What was thrown during the callback.
+    /// The payload of a panic during the callback.
     pub(crate) fn thrown(&self) -> Option<Box<dyn Any + Send>> {
         self.thrown.take()
     }
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn fp_majorant(medium: *const fp_medium, t: f64) -> f64 {
     unsafe { look(medium, |medium| medium.majorants().mu_bar_at(t)) }
 }
 
-/// How many majorant segments the ray has, at least 1; 0 for a null medium.
+/// The number of majorant segments of the ray, at least 1; 0 for a null medium.
 ///
 /// # Safety
 /// As for `fp_mu`.
@@ -80,7 +80,7 @@ pub unsafe extern "C" fn fp_segments(medium: *const fp_medium) -> usize {
     unsafe { medium.as_ref() }.map_or(0, |medium| medium.inner.majorants().ends().len())
 }
 
-/// Where majorant segment `i` ends; the last ends at the length. NaN if there is no such segment.
+/// The end of majorant segment `i`; that of the last is the length. NaN if there is no such segment.
 ///
 /// # Safety
 /// As for `fp_mu`.

@@ -16,10 +16,10 @@ pub(crate) use soak::Soak;
 #[derive(Debug, Parser)]
 #[command(name = "freepath", version, max_term_width = 100, after_help = EXIT_CODES)]
 pub(crate) struct Command {
-    /// What to do.
+    /// The subcommand.
     #[command(subcommand)]
     pub(crate) verb: Verb,
-    /// When to use colour; the variables NO_COLOR and CLICOLOR_FORCE count for `auto`.
+    /// Use of colour; the variables NO_COLOR and CLICOLOR_FORCE count for `auto`.
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     pub(crate) color: When,
 }
@@ -58,10 +58,10 @@ pub(crate) struct Run {
     /// Case files, or folders of them, searched recursively for .json and .jsonc.
     #[arg(value_name = "PATH", default_value = "cases")]
     pub(crate) paths: Vec<PathBuf>,
-    /// What is drawn.
+    /// The subjects drawn, and how often.
     #[command(flatten)]
     pub(crate) sampling: Sampling,
-    /// Where results go.
+    /// The destination of the results.
     #[command(flatten)]
     pub(crate) output: Output,
 }
@@ -75,15 +75,15 @@ pub(crate) struct Power {
     /// Print the table in Markdown, as in docs/power.md.
     #[arg(long, conflicts_with = "json")]
     pub(crate) markdown: bool,
-    /// What is drawn.
+    /// The subjects drawn, and how often.
     #[command(flatten)]
     pub(crate) sampling: Sampling,
-    /// Where results go.
+    /// The destination of the results.
     #[command(flatten)]
     pub(crate) output: Output,
 }
 
-/// Which subjects of the cases are drawn, and how often.
+/// The subjects of the cases that are drawn, and how often.
 #[derive(Args, Debug)]
 pub(crate) struct Sampling {
     /// The seed of all random numbers.
@@ -112,7 +112,7 @@ pub(crate) struct Sampling {
     pub(crate) timeout: Option<f64>,
 }
 
-/// Where the results of a run go, and how fast.
+/// The destination of a run's results, and its speed.
 #[derive(Args, Debug)]
 pub(crate) struct Output {
     /// Worker threads [default: one per CPU]; results do not depend on it.
@@ -177,7 +177,7 @@ pub(crate) struct Report {
     pub(crate) out: Option<PathBuf>,
 }
 
-/// When to use colour.
+/// Use of colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum When {
     /// On a terminal.

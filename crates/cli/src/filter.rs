@@ -27,7 +27,7 @@ pub(crate) fn keep(mut cases: Vec<Prepared>, text: &str) -> Result<Vec<Prepared>
     }
 }
 
-/// Whether `word` holds `pattern`, or is all of it where `*` stands for anything; of any case.
+/// True if `word` holds `pattern`, or is all of it where `*` stands for anything; of any case.
 fn matches(word: &str, pattern: &str) -> bool {
     let (word, pattern) = (word.to_lowercase(), pattern.to_lowercase());
     let Some((start, rest)) = pattern.split_once('*') else {

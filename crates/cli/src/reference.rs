@@ -18,7 +18,7 @@ pub(crate) use markdown::page;
 /// One name.
 #[derive(Debug)]
 pub(crate) struct Entry {
-    /// What it is a name of.
+    /// The kind of its name, such as `medium`.
     pub(crate) kind: &'static str,
     /// As a case has it.
     pub(crate) name: String,
@@ -26,13 +26,13 @@ pub(crate) struct Entry {
     pub(crate) words: String,
     /// Its parameters.
     pub(crate) fields: Vec<Field>,
-    /// How it stands in a case; empty if it does not.
+    /// An example of it in a case; empty if it does not stand in one.
     pub(crate) example: String,
-    /// What the record of a test or of a check tells besides.
+    /// The other fields in the record of a test or of a check.
     pub(crate) told: Option<Told>,
 }
 
-/// What a test or a check has and nothing else.
+/// The fields that only a test or a check has.
 #[derive(Debug)]
 pub(crate) struct Told {
     /// All but the first words, as plain text.
@@ -50,7 +50,7 @@ impl Entry {
 
 /// A part of a case whose names are in its schema.
 struct InSchema {
-    /// What it is called.
+    /// The kind of the names, such as `medium`.
     kind: &'static str,
     /// Its definition.
     definition: String,
@@ -102,7 +102,7 @@ fn tests() -> impl Iterator<Item = Entry> {
     tests.chain(CHECKS.iter().map(check))
 }
 
-/// What a record tells.
+/// The entry of a record.
 fn told(kind: &'static str, name: &str, words: &str, details: &str, section: &'static str) -> Entry {
     Entry {
         kind,

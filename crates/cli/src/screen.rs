@@ -24,7 +24,7 @@ pub(crate) fn print_json(value: &serde_json::Value) -> Result<(), CommandError> 
 }
 
 impl When {
-    /// Whether to use colour on a stream that is a terminal or not.
+    /// True if colour is to be used on a stream that is a terminal or not.
     pub(crate) fn colors(self, terminal: bool) -> bool {
         let set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
         let forced = set("CLICOLOR_FORCE") && env::var_os("CLICOLOR_FORCE").is_some_and(|value| value != "0");

@@ -30,7 +30,7 @@ impl Session {
         Ok(Self { seed, repro, jobs, cancelled: signal::cancelled()?, bar })
     }
 
-    /// What `draw` gives, on as many threads as were asked for.
+    /// The result of `draw`, on as many threads as were asked for.
     pub(crate) fn draw<T: Send>(
         self,
         draw: impl Fn(&Options) -> Result<T, Cancelled> + Sync,

@@ -51,7 +51,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// How far the subject is off, if it fails; else how far it could still be, and what would have been seen.
+/// The error of the subject, if it fails; else the one that it could still have, and that would have been seen.
 fn figure(of: &SubjectResult) -> String {
     let worst = |a: &&MeanResult, b: &&MeanResult| a.bias.0.abs().total_cmp(&b.bias.0.abs());
     let means = of.mean.iter().chain(of.channels.iter().map(|channel| &channel.mean));
@@ -77,7 +77,7 @@ pub(crate) fn lines(results: &Results, color: bool, shown: impl Fn(&SubjectResul
     rows.iter().map(|row| row.line(&widths, color)).collect()
 }
 
-/// What was not expected, in full.
+/// The subjects that are not as expected, in full.
 pub(crate) fn stories(results: &Results) -> String {
     let surprises: Vec<_> = results.results.iter().filter(|of| !of.as_expected).collect();
     let mut text = String::new();

@@ -55,7 +55,7 @@ impl<'a> PathColumns<'a> {
         self.rows
     }
 
-    /// Whether the block has a column of auxiliary numbers.
+    /// True if the block has a column of auxiliary numbers.
     #[must_use]
     pub fn wants_auxiliary(&self) -> bool {
         !self.auxiliary.is_empty()

@@ -59,7 +59,7 @@ impl Row {
         &self.columns
     }
 
-    /// Whether there is a column of this name.
+    /// True if there is a column of this name.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
         self.position(name).is_some()

@@ -60,7 +60,7 @@ impl Capability {
         }
     }
 
-    /// Whether it is the same thing as `other`, with whatever parameters.
+    /// True if it is the same thing as `other`, with whatever parameters.
     #[must_use]
     pub fn is_like(self, other: Self) -> bool {
         std::mem::discriminant(&self) == std::mem::discriminant(&other)

@@ -128,7 +128,7 @@ macro_rules! list {
     };
 }
 
-/// Whether `file` is `Type` as serde writes it in snake_case.
+/// True if `file` is `Type` as serde writes it in snake_case.
 #[doc(hidden)]
 #[must_use]
 pub const fn is_named_after(file: &str, r#type: &str) -> bool {

@@ -6,10 +6,10 @@ use std::io::Read;
 
 /// The most values of an array, all channels together.
 pub(crate) const MOST_VALUES: u64 = 100_000_000;
-/// How many values are read at a time.
+/// The number of values read at a time.
 const PART: usize = 8192;
 
-/// Where the values are and what they are.
+/// The place of the values, and their type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Array {
     pub(crate) encoding: Encoding,

@@ -9,10 +9,10 @@ use std::io::Read;
 /// The longest header that is read, in bytes.
 const MOST_HEADER: usize = 65_536;
 
-/// What a volume or a table of any numbers may hold.
+/// The types that a volume or a table of any numbers may hold.
 pub(crate) const NUMBERS: &str = "uint8, uint16, float32 or float64, little or big endian";
 
-/// How the values are stored.
+/// The storage of the values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Header {
     pub(crate) encoding: Encoding,
@@ -60,7 +60,7 @@ fn broken() -> Refusal {
     Refusal::new("its header is broken", allowed)
 }
 
-/// What values of a type that is not read are.
+/// The refusal of a type that is not read, by name.
 fn wrong_type(descr: &[u8], types: &str) -> Refusal {
     let kind = descr.iter().find(|byte| !b"<>=|".contains(byte));
     let what = match kind {
@@ -101,7 +101,7 @@ fn parse(text: &[u8], start: u64, types: &str) -> Result<Header, Refusal> {
     }
 }
 
-/// What is left of the header.
+/// The rest of the header.
 struct Text<'a>(&'a [u8]);
 
 impl<'a> Text<'a> {

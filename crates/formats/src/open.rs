@@ -26,7 +26,7 @@ impl Regular {
     }
 }
 
-/// What a file is that begins so, if it is none of those that are read.
+/// The refusal of a file that begins so, if it is of a known format that is not read.
 pub(crate) fn foreign(head: &[u8]) -> Option<Refusal> {
     let known: [(&[u8], &str, &str); 5] = [
         (b"PK\x03\x04", "a zip archive, as numpy.savez writes one", "a single array, as numpy.save writes it"),

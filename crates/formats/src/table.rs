@@ -24,7 +24,7 @@ pub trait Table: Send {
     fn read(&mut self, rows: usize, columns: &mut [&mut [f64]]) -> Result<usize, Refusal>;
 }
 
-/// How a file of samples is written.
+/// The format of a file of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Format {
@@ -38,9 +38,9 @@ pub enum Format {
     F64,
 }
 
-/// What is wanted of a table.
+/// The columns wanted of a table, and its format.
 pub struct TableRequest<'a> {
-    /// How it is written; none for what the ending of a file's name tells, or for doubles on a stream.
+    /// Its format; none for what the ending of a file's name tells, or for doubles on a stream.
     pub format: Option<Format>,
     /// Numbers in a row, at least 1, of a table that does not say it: doubles without a header.
     pub across: usize,
@@ -51,9 +51,9 @@ pub struct TableRequest<'a> {
 /// A column that is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Selected {
-    /// Which one, from 0.
+    /// Its number, from 0.
     pub column: usize,
-    /// What may stand there in place of a number, where the table is text.
+    /// The words that may stand there in place of a number, where the table is text.
     pub words: &'static [Word],
 }
 
@@ -74,7 +74,7 @@ pub struct Word {
     pub number: f64,
 }
 
-/// What is known of the columns of a table before its first row of numbers.
+/// The columns of a table, as far as known before its first row of numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head {
     names: Vec<String>,
@@ -92,7 +92,7 @@ impl Head {
         &self.names
     }
 
-    /// How many columns it has.
+    /// The number of its columns.
     #[must_use]
     pub fn across(&self) -> usize {
         self.across

@@ -28,14 +28,14 @@ pub struct Volume {
     pub bounds: Option<[[f64; 3]; 2]>,
 }
 
-/// Which volume of a file is wanted.
+/// The volume that is wanted of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VolumeRequest<'a> {
-    /// Which of the values of a voxel, from 0.
+    /// The index of the value of a voxel, from 0.
     pub channel: usize,
     /// The layout of a file without a header.
     pub raw: Option<RawLayout>,
-    /// Which of several grids, by name.
+    /// The name of the grid, of several.
     pub grid: Option<&'a str>,
     /// The first and the last voxel of the wanted part, both in it.
     pub voxels: Option<[[i32; 3]; 2]>,
@@ -46,7 +46,7 @@ pub struct VolumeRequest<'a> {
 pub struct RawLayout {
     /// nx, ny, nz.
     pub shape: [u64; 3],
-    /// What each value is.
+    /// The type of each value.
     pub values: NumberType,
     /// The most significant byte comes first.
     pub big_endian: bool,

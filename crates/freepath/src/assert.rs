@@ -73,7 +73,7 @@ fn assert_experiment(experiment: &dyn Experiment, caller: &Location) {
     }
 }
 
-/// How much to draw, from which seed.
+/// The number of draws, and their seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// The seed of all streams.

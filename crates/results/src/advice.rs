@@ -1,14 +1,14 @@
 use crate::Reason;
 
 impl Reason {
-    /// What gives it, what usually causes it, and what to do.
+    /// Its causes, the usual first, and what to do.
     #[must_use]
     pub fn advice(self) -> &'static str {
         ADVICE.iter().find(|(known, _)| *known == self).map_or("", |(_, words)| words)
     }
 }
 
-/// What gives it, what usually causes it, what to do.
+/// Origin, usual causes and remedy of each reason.
 const ADVICE: &[(Reason, &str)] = &[
     (
         Reason::SubjectError,

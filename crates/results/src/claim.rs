@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 pub struct ClaimResult {
     /// Its name, such as `law`, `mean` or `scatter_0`.
     pub name: String,
-    /// What is claimed, in words.
+    /// The claim, in words.
     pub statement: String,
 }
 

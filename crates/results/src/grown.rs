@@ -1,16 +1,16 @@
 use crate::Real;
 use serde::{Deserialize, Serialize};
 
-/// How draws that grew towards a bound came out.
+/// The outcome of draws that grew towards a bound.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Grown {
     /// Draws looked at in the end, those of stage 1 included.
     pub draws: u64,
-    /// How it ended.
+    /// The way in which it ended.
     pub outcome: GrownOutcome,
     /// The bound that was asked for: of |bias|, or of sup |F - F_subject|.
     pub target: Real,
-    /// What the error is below at the reporting level, at whatever number of draws growth ended.
+    /// The bound on the error at the reporting level, at whatever number of draws growth ended.
     pub bound: Real,
     /// Against an error of 0, at all numbers of draws at once.
     pub p: Real,

@@ -5,6 +5,6 @@ use serde::{Deserialize, Serialize};
 pub struct KindResult {
     /// The key, as in [`SubjectResult::kind`](crate::SubjectResult::kind).
     pub name: String,
-    /// What its subjects are called.
+    /// The heading of its subjects.
     pub heading: String,
 }

@@ -1,7 +1,7 @@
 use crate::{Grown, Real};
 use serde::{Deserialize, Serialize};
 
-/// How far the draws are from the law, and how far they could be.
+/// The distance of the draws from the law, and the bound on it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct LawResult {
     /// The largest gap |F_n - F| over the edges of the fine cells, escapes included.
@@ -20,7 +20,7 @@ pub struct LawResult {
     pub detectable_cell: Option<Real>,
     /// The probability of escape.
     pub atom: Atom,
-    /// How draws grew towards a bound, if the case asks for one; `bound` is then the one that was reached.
+    /// The growth of draws towards a bound, if the case asks for one; `bound` is then the one that was reached.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub grown: Option<Grown>,
 }
@@ -75,12 +75,12 @@ pub struct ResidualSeries {
     pub edges: Vec<Real>,
     /// One for each cell, then one for escape.
     pub residual: Vec<Real>,
-    /// Whether the last residual is that of escapes.
+    /// True if the last residual is that of escapes.
     pub escape: bool,
 }
 
-/// Where along the ray the law breaks: collisions in each row of t among the draws that reach it. A diagnosis; no verdict
-/// uses it.
+/// Table of places along the ray where the law breaks: collisions in each row of t among the draws that reach it. A
+/// diagnosis; no verdict uses it.
 ///
 /// Rows follow the medium's breaks or voxels, each moved to the nearest edge of a fine cell (2^-14 of the length or less);
 /// where there are fewer than 8 breaks, 16 equal rows are cut as well, and neighbours are joined until there are at most 128.
@@ -88,7 +88,7 @@ pub struct ResidualSeries {
 /// All are judged against the medium's law, also those of a method that is biased by design.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct LifeTable {
-    /// Where the rows begin and end, in length units: one more than rows. The lists below have one number for each row.
+    /// The ends of the rows, in length units: one more than rows. The lists below have one number for each row.
     pub edges: Vec<Real>,
     /// Draws that reach the row's start, escapes included.
     pub at_risk: Vec<u64>,

@@ -28,9 +28,9 @@ pub struct MeanResult {
     pub variance_expected: Option<Real>,
     /// Sample skewness of one draw.
     pub skewness: Real,
-    /// How the interval was made: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein` or `exact`.
+    /// The method of the interval: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein` or `exact`.
     pub method: String,
-    /// How draws grew towards a bound, if the case asks for one; `bound` is then the one that was reached.
+    /// The growth of draws towards a bound, if the case asks for one; `bound` is then the one that was reached.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub grown: Option<Grown>,
 }
@@ -38,7 +38,7 @@ pub struct MeanResult {
 /// One channel: the weighted mean of one event.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct ChannelResult {
-    /// Which channel, from 0.
+    /// The channel, from 0.
     pub channel: usize,
     /// `scatter` or `surface`.
     pub event: String,

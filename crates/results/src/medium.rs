@@ -8,7 +8,7 @@ pub struct MediumResult {
     pub file: String,
     /// The title of the case.
     pub case: String,
-    /// Which of the case's rays, if it has several.
+    /// The ray of the case, if it has several.
     pub ray: Option<usize>,
     /// Its name in `freepath list`, such as `gaussian`.
     pub medium: String,
@@ -20,7 +20,7 @@ pub struct MediumResult {
     pub tau: Vec<Real>,
     /// Least and greatest mu.
     pub extrema: [Real; 2],
-    /// What the plot draws; one for each channel.
+    /// The series that the plot draws; one for each channel.
     pub series: Vec<MediumSeries>,
 }
 

@@ -9,7 +9,7 @@ pub const POWER_SCHEMA_VERSION: u32 = 1;
 /// The fewest draws that are tried.
 pub const FEWEST_DRAWS: u64 = 256;
 
-/// How many draws each fault needs to be seen, and by what.
+/// The number of draws that each fault needs to be seen, and by which check or test.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct PowerResults {
     /// [`POWER_SCHEMA_VERSION`].
@@ -28,7 +28,7 @@ pub struct PowerResults {
     pub rows: Vec<PowerRow>,
 }
 
-/// What must become of a row.
+/// The result due for a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
@@ -51,7 +51,7 @@ pub struct PowerRow {
     pub file: String,
     /// The title of the case.
     pub case: String,
-    /// Which of the case's rays, from 0, if it has several.
+    /// The ray of the case, from 0, if it has several.
     pub ray: Option<usize>,
     /// The subject's name.
     pub subject: String,
@@ -63,7 +63,7 @@ pub struct PowerRow {
     pub fault: String,
     /// The medium with its parameters, in words.
     pub medium: String,
-    /// What must become of it.
+    /// The result due for it.
     pub role: Role,
     /// The expectation in words, such as `fail: wrong_law`.
     pub expected: String,
@@ -73,7 +73,7 @@ pub struct PowerRow {
     /// if it is not found at full effort.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub needed: Option<u64>,
-    /// What decided: at the fewest draws of a row that is caught, else at full effort.
+    /// The sighting that decided: at the fewest draws of a row that is caught, else at full effort.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub first: Option<Sighting>,
     /// All that fired there, facts first, then tests from the least p-value on.
@@ -85,9 +85,9 @@ pub struct PowerRow {
     pub verdict: Verdict,
     /// Its reasons.
     pub reasons: Vec<Reason>,
-    /// Whether no p-value fails it at full effort, were it the only subject of the run.
+    /// True if no p-value fails it at full effort, were it the only subject of the run.
     pub silent: bool,
-    /// Whether all is as it must be: this decides the exit code.
+    /// True if all is as it must be: this decides the exit code.
     pub as_expected: bool,
 }
 
@@ -96,7 +96,7 @@ pub struct PowerRow {
 pub struct Sighting {
     /// The test, as `freepath describe` takes it, or the check that saw a fact.
     pub name: String,
-    /// Whether it is a fact, which needs no p-value.
+    /// True if it is a fact, which needs no p-value.
     pub fact: bool,
     /// The reason that it gives.
     pub reason: Reason,

@@ -29,7 +29,7 @@ pub struct Ranked {
     pub work: Real,
     /// Standard error of its logarithm.
     pub error: Real,
-    /// How that was made: `delta` or `bootstrap`.
+    /// The method of that error: `delta` or `bootstrap`.
     pub method: String,
 }
 

@@ -19,7 +19,7 @@ pub struct Results {
     pub stage_alpha: Real,
     /// The level at which intervals, bands, `bound` and `detectable` are given.
     pub reporting_level: Real,
-    /// How many p-values the run holds, in stage 1 and stage 2.
+    /// The numbers of p-values of the run, in stage 1 and stage 2.
     pub p_values: [usize; 2],
     /// The command that gives these results again.
     pub repro: String,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 /// Most points in a series.
 pub const MOST_POINTS: usize = 512;
 
-/// What plots draw, at most [`MOST_POINTS`] points each.
+/// The series that plots draw, at most [`MOST_POINTS`] points each.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct Series {
     /// Empirical minus analytic CDF.
@@ -16,7 +16,7 @@ pub struct Series {
     /// Chi-square residuals.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub residuals: Option<ResidualSeries>,
-    /// Where along the ray the law breaks.
+    /// The table of places along the ray where the law breaks.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub life_table: Option<LifeTable>,
     /// Running mean.

@@ -25,9 +25,9 @@ pub struct SoakResults {
     pub p_values: u64,
     /// The family-wise error of all checks of this soak: of a level that holds, so seldom is it called broken.
     pub family_level: Real,
-    /// How often runs gave an alarm, one for each level of the stages.
+    /// The rates of runs with an alarm, one for each level of the stages.
     pub levels: Vec<LevelResult>,
-    /// What was seen for certain of right subjects: there should be nothing. At most 20 are told.
+    /// Facts seen of right subjects: there should be none. At most 20 are told.
     pub facts: Vec<SoakFact>,
     /// One for each test and law of its p-values.
     pub tests: Vec<SoakTest>,
@@ -89,7 +89,7 @@ pub struct SoakFact {
     pub seed: u64,
     /// The subject.
     pub subject: String,
-    /// What was seen.
+    /// The observation, in words.
     pub words: String,
 }
 
@@ -101,11 +101,11 @@ pub struct SoakTest {
     /// `uniform`, `discrete` or `conservative`: where the claim holds, they are uniform, uniform after they are spread over
     /// the steps of a discrete statistic, or never below uniform.
     pub null: String,
-    /// Whether the test declares that law.
+    /// True if the test declares that law.
     pub declared: bool,
     /// Claims that it is put to: each name of evidence, such as `scatter_0_bin_3`, is checked alone.
     pub names: usize,
-    /// How many.
+    /// Their number.
     pub p_values: u64,
     /// Shares at or below 0.1, 0.01, 1e-3, .. 1e-7, as the verdict uses them.
     pub shares: Vec<Real>,
@@ -115,7 +115,7 @@ pub struct SoakTest {
     pub above: Real,
     /// The smallest p-value of the checks of its law, after Holm over all checks of the soak.
     pub p_adjusted: Real,
-    /// Whether its law holds.
+    /// True if its law holds.
     pub holds: bool,
     /// For a QQ plot; spread, if discrete.
     pub quantiles: QuantileSeries,

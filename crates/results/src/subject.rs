@@ -1,7 +1,7 @@
 use crate::{ChannelResult, ClaimResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict};
 use serde::{Deserialize, Serialize};
 
-/// What was found of one subject in one medium.
+/// The findings on one subject in one medium.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct SubjectResult {
     /// Unique in the run: also the key in timings.json and the anchor in the report.
@@ -10,7 +10,7 @@ pub struct SubjectResult {
     pub file: String,
     /// The title of the case.
     pub case: String,
-    /// Which of the case's rays, from 0, if it has several.
+    /// The ray of the case, from 0, if it has several.
     pub ray: Option<usize>,
     /// Index into [`Results::media`](crate::Results::media).
     pub medium: usize,
@@ -28,11 +28,11 @@ pub struct SubjectResult {
     pub reasons: Vec<Reason>,
     /// One sentence for each reason or gate: what, by how much, with which p-value.
     pub notes: Vec<String>,
-    /// What the case, its fault or the claims expected, such as `pass` or `fail: biased`.
+    /// The verdict that the case, its fault or the claims expected, such as `pass` or `fail: biased`.
     pub expected: String,
-    /// Whether the expectation was computed from the claims, not written in the case.
+    /// True if the expectation was computed from the claims, not written in the case.
     pub expected_by_design: bool,
-    /// Whether the verdict is as expected: this decides the exit code.
+    /// True if the verdict is as expected: this decides the exit code.
     pub as_expected: bool,
     /// Names of planted faults, laid in this order.
     pub faults: Vec<String>,
@@ -48,7 +48,7 @@ pub struct SubjectResult {
     /// Rows of a file of samples that were not judged, since fewer were asked for.
     #[serde(skip_serializing_if = "is_zero", default)]
     pub draws_left: u64,
-    /// What is claimed of it, beside what was found of each claim; none in results of before they were listed.
+    /// The claims on it, beside what was found of each; none in results of before they were listed.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub claims: Vec<ClaimResult>,
     /// Of the claim of a mean.
@@ -62,10 +62,10 @@ pub struct SubjectResult {
     pub channels: Vec<ChannelResult>,
     /// Every test of both stages.
     pub tests: Vec<TestResult>,
-    /// What contradicts a claim for certain, in the order in which it was seen.
+    /// Contradictions of a claim, for certain, in the order in which they were seen.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub facts: Vec<FactResult>,
-    /// What the plots draw.
+    /// The series that the plots draw.
     pub series: Series,
     /// Look-ups of mu per draw, as counted.
     pub lookups: Real,
@@ -119,17 +119,17 @@ pub struct TestResult {
 /// One fact: no p-value, and one is enough.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct FactResult {
-    /// What saw it, such as `audit`, `support` or `scripted`.
+    /// The check that saw it, such as `audit`, `support` or `scripted`.
     pub check: String,
     /// 1 or 2.
     pub stage: u8,
     /// The reason code.
     pub reason: Reason,
-    /// What was seen.
+    /// The observation, in words.
     pub words: String,
 }
 
-/// What the audit of look-ups recorded over all draws.
+/// The counts of the audit of look-ups over all draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 pub struct AuditResult {
     /// All look-ups.

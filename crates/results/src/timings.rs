@@ -25,7 +25,7 @@ pub struct SubjectTiming {
     pub seconds: Real,
     /// Draws taken in that time.
     pub draws: u64,
-    /// What it wrote to standard error, if it is a program: up to 64 KiB.
+    /// Its output on standard error, if it is a program: up to 64 KiB.
     #[serde(skip_serializing_if = "String::is_empty", default)]
     pub log: String,
 }

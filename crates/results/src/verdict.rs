@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What a run says of a subject.
+/// The verdict of a run on a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -34,7 +34,7 @@ macro_rules! reasons {
                 match self { $(Self::$name => $code,)* }
             }
 
-            /// What it means and what usually causes it, in words.
+            /// Its meaning and usual cause, in words.
             #[must_use]
             pub fn words(self) -> &'static str {
                 match self { $(Self::$name => $words,)* }
@@ -66,7 +66,7 @@ reasons! {
     Dependent = "dependent": "draws repeat or depend on their neighbours: a reused random number, a copied stream, rows handed out in order of completion",
     /// The tail of the draws is too heavy to judge the mean.
     HeavyTail = "heavy_tail": "a few draws carry the mean, so no interval for it can be trusted",
-    /// What decides the claim is too rare to be seen.
+    /// The event that decides the claim is too rare to be seen.
     RareEvent = "rare_event": "what carries the mean is too rare to be seen in so many draws",
     /// More draws are needed.
     NotEnoughDraws = "not_enough_draws": "too few draws to judge the claim or to meet the bound that was asked for",

@@ -20,14 +20,14 @@ pub struct Block<'a> {
 const FIRST_BLOCKS: u64 = 4;
 
 impl Block<'_> {
-    /// Whether it is among the first of its range.
+    /// True if it is among the first of its range.
     #[must_use]
     pub fn is_early(&self) -> bool {
         is_early(self.nth)
     }
 }
 
-/// Whether the block at this place of a range is among the first.
+/// True if the block at this place of a range is among the first.
 #[must_use]
 pub(crate) fn is_early(nth: u64) -> bool {
     nth < FIRST_BLOCKS
@@ -41,7 +41,7 @@ pub struct Scratch {
     pub(crate) masked: Vec<f64>,
 }
 
-/// Where the fine cells of one column under one law stand in [`Scratch`]: found once per block, read by many folds.
+/// The place in [`Scratch`] of the fine cells of one column under one law: found once per block, read by many folds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CellIndex(pub(crate) usize);
 

@@ -14,14 +14,14 @@ pub use support::CHECK as SUPPORT;
 pub use unit_weight::CHECK as UNIT_WEIGHT;
 pub use vacuum::CHECK as VACUUM;
 
-/// What identifies a check, in the check's own file: all that is told of it elsewhere is read here.
+/// The record of a check, in the check's own file: all that is told of it elsewhere is read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Check {
     /// Its name in results.
     pub name: &'static str,
-    /// What it looks at: the first sentence of all that is told.
+    /// Its subject matter: the first sentence of all that is told.
     pub words: &'static str,
-    /// What is compared with what, and the reason that it gives.
+    /// The two things compared, and the reason that it gives.
     pub details: &'static str,
     /// Its section of `docs/statistics.md`, as a link has it.
     pub section: &'static str,

@@ -75,7 +75,7 @@ pub use ties::TiesClaim;
 pub use unit_weight::UnitWeightClaim;
 pub use vacuum::Vacuum;
 
-/// What a case may withdraw from a subject.
+/// A claim that a case may withdraw from a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "Claim")] // the name in the schema of cases
@@ -93,10 +93,10 @@ pub enum Withdrawal {
     Truth,
 }
 
-/// What is wrong for certain with one row.
+/// A contradiction of a claim, for certain, by one row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// What it contradicts.
+    /// The reason that it gives.
     pub reason: Reason,
     /// In words.
     pub what: String,
@@ -113,12 +113,12 @@ pub trait Claim: Send + Sync {
     /// Puts the claim to its tests: evidence, facts, and what could not be judged.
     fn judge(&self, _tallies: &Tallies, _into: &mut Judged) {}
 
-    /// What is wrong for certain with one row, without any tally.
+    /// The contradiction for certain by one row, without any tally.
     fn look(&self, _draws: &Draws, _row: usize) -> Option<Finding> {
         None
     }
 
-    /// What a method that is biased by design should be found to be after so many draws.
+    /// The finding that a method biased by design should give after so many draws.
     fn design(&self, _draws: u64) -> Design {
         Design::Unbiased
     }
@@ -128,27 +128,27 @@ pub trait Claim: Send + Sync {
         None
     }
 
-    /// What a ranking by efficiency needs.
+    /// The data that a ranking by efficiency needs.
     fn contender<'a>(&'a self, _tallies: &'a Tallies) -> Option<Contender<'a>> {
         None
     }
 
-    /// What the subject must have in common with itself in another setting.
+    /// The law or mean that the subject must have in common with itself in another setting.
     fn comparable<'a>(&self, _tallies: &'a Tallies) -> Option<Comparable<'a>> {
         None
     }
 
-    /// What it adds to the results whether or not anything was drawn.
+    /// Adds its statement to the results, whether or not anything was drawn.
     fn state(&self, _into: &mut Summary) {}
 
-    /// What it adds to the results of draws.
+    /// Adds its findings on the draws to the results.
     fn summarize(&self, _tallies: &Tallies, _into: &mut Summary) {}
 }
 
 /// The claims that stand, and the folds that they read.
 #[derive(Default)]
 pub struct Claims<'a> {
-    /// What is tallied.
+    /// The folds that tally the draws.
     pub folds: Folds,
     list: Vec<Box<dyn Claim + 'a>>,
 }
@@ -191,26 +191,26 @@ impl<'a> Claims<'a> {
         self.iter().find_map(|claim| claim.sequential(asked))
     }
 
-    /// What a ranking by efficiency needs, if the subject can stand in one.
+    /// The data that a ranking by efficiency needs, if the subject can stand in one.
     #[must_use]
     pub fn contender<'b>(&'b self, tallies: &'b Tallies) -> Option<Contender<'b>> {
         self.iter().find_map(|claim| claim.contender(tallies))
     }
 
-    /// What the subject must have in common with itself in another setting.
+    /// The law or mean that the subject must have in common with itself in another setting.
     #[must_use]
     pub fn comparable<'b>(&self, tallies: &'b Tallies) -> Option<Comparable<'b>> {
         self.iter().find_map(|claim| claim.comparable(tallies))
     }
 
-    /// What a method that is biased by design should be found to be after so many draws.
+    /// The finding that a method biased by design should give after so many draws.
     #[must_use]
     pub fn design(&self, draws: u64) -> Design {
         let mut designs = self.iter().map(|claim| claim.design(draws));
         designs.find(|design| *design != Design::Unbiased).unwrap_or(Design::Unbiased)
     }
 
-    /// What all of them add to the results; without tallies of a subject that did not finish its draws.
+    /// The additions of all of them to the results; without tallies of a subject that did not finish its draws.
     #[must_use]
     pub fn summary(&self, tallies: Option<&Tallies>) -> Summary {
         let claims = self.iter().filter_map(Claim::statement).collect();

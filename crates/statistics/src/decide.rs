@@ -12,7 +12,7 @@ pub use stage::{STAGE_ALPHA, Stage, StageTest, adjust, adjust_among, adjust_some
 /// The designed false-alarm rate of a run: a failure by p-values needs both stages.
 pub const ALPHA: f64 = STAGE_ALPHA * STAGE_ALPHA;
 
-/// Whether stage 1 gives cause for stage 2: any raw p at or below the stage's error.
+/// True if stage 1 gives cause for stage 2: any raw p at or below the stage's error.
 #[must_use]
 pub fn suspect(judged: &Judged) -> bool {
     suspect_at(judged, STAGE_ALPHA)
@@ -39,7 +39,7 @@ fn rejections(stage: &Stage, level: f64) -> Vec<(Reason, String)> {
     stage.rejecting(level).map(|test| (test.evidence.reason, sentence(test))).collect()
 }
 
-/// What a test rejected, by how much, with which p-value.
+/// The sentence on a test's rejection: of what, by how much, with which p-value.
 fn sentence(test: &StageTest) -> String {
     let (evidence, adjusted) = (test.evidence, test.adjusted.unwrap_or(0.0));
     let Evidence { name, statistic, note, .. } = evidence;

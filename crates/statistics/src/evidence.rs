@@ -8,7 +8,7 @@ pub const REPORTING_LEVEL: f64 = 1e-6;
 /// The power at which `detectable` is given.
 pub const POWER: f64 = 0.9;
 
-/// How a p-value is distributed where the claim holds: what calibration checks, and nothing that a verdict uses.
+/// The distribution of a p-value where the claim holds: what calibration checks, and nothing that a verdict uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Null {
     /// Uniform: exactly, or up to the error of a limit law.
@@ -79,9 +79,9 @@ pub struct Evidence {
     pub p: Option<f64>,
     /// The p-value is shown and spends no error: it is not in Holm, and rejects nothing.
     pub reported: bool,
-    /// How p is distributed where the claim holds.
+    /// The distribution of p where the claim holds.
     pub null: Null,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
     /// Why there is no p-value, or what the statistic is made of.
     pub note: String,
@@ -128,14 +128,14 @@ impl Evidence {
     }
 }
 
-/// What contradicts a claim for certain: no p-value, and one is enough.
+/// A contradiction of a claim, for certain: no p-value, and one is enough.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fact {
-    /// What saw it, such as `audit`, `support` or `scripted`.
+    /// The check that saw it, such as `audit`, `support` or `scripted`.
     pub check: &'static str,
-    /// What it means.
+    /// The reason that it gives.
     pub reason: Reason,
-    /// What was seen, in words.
+    /// The observation, in words.
     pub words: String,
 }
 

@@ -48,7 +48,7 @@ pub trait Merge {
 
 /// Float sums, which are added in block order.
 pub trait Ordered {
-    /// What one block leaves.
+    /// The part that one block leaves.
     type Part: Send + 'static;
     /// Takes in the next block.
     fn fold(&mut self, part: &Self::Part);
@@ -62,7 +62,7 @@ pub trait LookupWatch {
     fn look_ups(&mut self, t: &[f64], mu: &[f64], bound: &[f64]);
 }
 
-/// What is tallied over blocks. It knows columns, and no subject.
+/// A tally over blocks. It knows columns, and no subject.
 pub trait Fold: Send + Sync + 'static {
     /// Integers: one for each worker.
     type Counts: Merge + Clone + Send + Sync + 'static;
@@ -86,7 +86,7 @@ pub trait Fold: Send + Sync + 'static {
         counts: &mut Self::Counts,
     ) -> Result<<Self::Sums as Ordered>::Part, MissingColumn>;
 
-    /// What is told of the look-ups of the block at place `nth` while it is drawn. Provided: nothing.
+    /// The watch on the look-ups of the block at place `nth` while it is drawn. Provided: none.
     fn watch<'a>(&self, _nth: u64, _counts: &'a mut Self::Counts) -> Option<&'a mut dyn LookupWatch> {
         None
     }

@@ -2,19 +2,19 @@ use crate::check;
 use crate::evidence::{Evidence, Fact};
 use freepath_results::Reason;
 
-/// What can be said of a subject after one stage.
+/// The findings on a subject after one stage.
 #[derive(Clone, Debug, Default)]
 pub struct Judged {
     /// Tests with p-values, and those withheld.
     pub evidence: Vec<Evidence>,
-    /// What contradicts a claim for certain.
+    /// Contradictions of a claim, for certain.
     pub facts: Vec<Fact>,
-    /// What could not be judged.
+    /// The reasons for which something could not be judged.
     pub gates: Vec<(Reason, String)>,
 }
 
 impl Judged {
-    /// What is said of a subject that did not finish its draws.
+    /// The judgement of a subject that did not finish its draws.
     #[must_use]
     pub fn broken(why: impl Into<String>) -> Self {
         Self { facts: vec![Fact::new(check::SUBJECT.name, Reason::SubjectError, why)], ..Self::default() }

@@ -78,7 +78,7 @@ impl Law {
         self.length
     }
 
-    /// How far every P(t > edge) may be off; a cell, which has two edges, twice as far.
+    /// The most by which any P(t > edge) may be off; a cell, which has two edges, twice as much.
     #[must_use]
     pub fn slack(&self) -> f64 {
         self.slack

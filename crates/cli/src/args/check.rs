@@ -16,7 +16,7 @@ pub(crate) struct Check {
     /// The case whose medium they were drawn in; its subjects are left out.
     #[arg(long, value_name = "CASE")]
     pub(crate) case: PathBuf,
-    /// What they are.
+    /// The kind of the samples.
     #[arg(long = "as", value_name = "KIND", value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name)))]
     pub(crate) kind: String,
     /// The column of the draws, by name or by number from 0 [default: the only one].
@@ -25,7 +25,7 @@ pub(crate) struct Check {
     /// The column of the statistical weights of free paths.
     #[arg(long, value_name = "NAME")]
     pub(crate) weight: Option<String>,
-    /// Which free paths are escapes: those at infinity, or those at the length of the ray or beyond.
+    /// The free paths that are escapes: those at infinity, or those at the length of the ray or beyond.
     #[arg(long, value_name = "AT", value_parser = named::<Escape>, default_value = "infinity")]
     pub(crate) escape: Escape,
     /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
@@ -46,7 +46,7 @@ pub(crate) struct Check {
     /// Let the case name files outside its own folder.
     #[arg(long)]
     pub(crate) allow_paths: bool,
-    /// Where results go.
+    /// The destination of the results.
     #[command(flatten)]
     pub(crate) output: Output,
 }

@@ -8,7 +8,7 @@ pub(crate) struct Soak {
     /// Case files, or folders of them; of their subjects, those without a fault that should pass.
     #[arg(value_name = "PATH", default_value = "cases", conflicts_with = "quick")]
     pub(crate) paths: Vec<PathBuf>,
-    /// How many full judgements, each on a seed of its own.
+    /// The number of full judgements, each on a seed of its own.
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = number::runs)]
     pub(crate) runs: u64,
     /// The seed from which each run has its own.

@@ -58,7 +58,7 @@ fn lines(seen: &QmcBias) -> String {
     )
 }
 
-/// How the interval stands to no bias, or to the one that the method declares.
+/// A clause on whether the interval holds no bias, or the one that the method declares.
 fn against(seen: &QmcBias, low: f64, high: f64) -> String {
     let holds = |bias: f64| low <= bias && bias <= high;
     if seen.declared != 0.0 && holds(seen.declared) {

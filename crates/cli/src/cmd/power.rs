@@ -40,7 +40,7 @@ fn show(quiet: bool, color: When, results: &PowerResults) -> Result<(), CommandE
     Ok(())
 }
 
-/// What stands above the table in Markdown.
+/// The text above the table in Markdown.
 const PREFACE: &str = "\
 Each row is a subject of the control cases: a fault with its parameters, laid over an estimator in a medium. `draws` are those of
 stage 1, the fewest among the doublings of 256 and the full effort of the case at which the verdict is the failure that is

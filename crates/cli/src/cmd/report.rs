@@ -40,7 +40,7 @@ pub(crate) fn page(results: &Results, run: &str, side_files: &SideFiles, out: &P
     options.write(results, side_files, out).map_err(CommandError::running)
 }
 
-/// What `freepath power` and `freepath soak` left in `folder`. What cannot be read is left out, and the page says so.
+/// Results of `freepath power` and `freepath soak` in `folder`. What cannot be read is left out, and the page says so.
 pub(crate) fn side_files(folder: &Path) -> SideFiles {
     let mut left_out = Vec::new();
     let power = optional(folder, "power.json", |of: &PowerResults| of.schema_version == POWER_SCHEMA_VERSION);

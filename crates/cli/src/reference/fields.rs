@@ -9,11 +9,11 @@ use serde_json::Value;
 pub(crate) struct Field {
     /// Its key; empty if the name takes a value instead of an object.
     pub(crate) name: String,
-    /// What may stand there.
+    /// The values allowed there.
     pub(crate) takes: String,
-    /// What it is if it is left out; none if it is required.
+    /// The value if it is left out; none if it is required.
     pub(crate) default: Option<String>,
-    /// What it means.
+    /// Its meaning.
     pub(crate) words: String,
 }
 
@@ -53,7 +53,7 @@ fn default(body: &Value, name: &str, node: &Value) -> Option<String> {
     }
 }
 
-/// What may stand at `node`, in a few words.
+/// The values allowed at `node`, in a few words.
 fn takes(schema: &Value, node: &Value) -> String {
     if node["$ref"] == "#/$defs/AnyMedium" {
         return "medium".into();

@@ -148,7 +148,7 @@ fn the_readme_leads_to_verdicts() {
     }
 }
 
-/// What a line of the README prints.
+/// The output of a line of the README.
 fn said(line: &str) -> String {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme_programs");
     let mut line = line.replace("target/release/freepath", env!("CARGO_BIN_EXE_freepath"));

@@ -126,7 +126,7 @@ fn a_request_need_not_be_read() {
     assert!(out.contains("ok  pass  transmittance  ratio_tracking"), "{out}");
 }
 
-/// What `script` gives as `kind` in this medium: its reasons and notes.
+/// The reasons and notes on `script` as `kind` in this medium.
 fn judged(name: &str, medium: &str, kind: &str, script: &str) -> (Vec<&'static str>, Vec<String>) {
     let folder = ready(name, &[("mine", script)], "");
     let case = format!(

@@ -81,7 +81,7 @@ fn every_name_is_among(media: &[&str]) {
     }
 }
 
-/// What `freepath medium` says.
+/// The output of `freepath medium`.
 struct Shown {
     medium: String,
     t: Vec<f64>,

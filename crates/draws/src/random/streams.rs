@@ -8,7 +8,7 @@ use std::convert::Infallible;
 pub struct Script {
     /// The words handed out first; in the tile engine, one word to a whole row of lanes.
     pub prefix: Vec<u64>,
-    /// Whether the prefix repeats for ever.
+    /// True if the prefix repeats for ever.
     pub repeat: bool,
 }
 

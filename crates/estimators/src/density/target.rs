@@ -145,14 +145,14 @@ impl Target {
         }
     }
 
-    /// Whether `x` lies in the domain.
+    /// True if `x` lies in the domain.
     #[must_use]
     pub fn holds(&self, x: f64) -> bool {
         self.domain[0] <= x && x <= self.domain[1]
     }
 
-    /// Whether there is mass at `x`: an atom, a density within 1e-9 of the domain around it, or, where no density is known, an increase
-    /// of the distribution function within 1e-3 of the domain around it.
+    /// True if there is mass at `x`: an atom, a density within 1e-9 of the domain around it, or, where no density is
+    /// known, an increase of the distribution function within 1e-3 of the domain around it.
     #[must_use]
     pub fn has_mass(&self, x: f64) -> bool {
         let within = |share: f64| {

@@ -21,7 +21,7 @@ impl Tilt {
     }
 }
 
-/// How such a sampler turns one uniform into an angle, and the density that goes with it.
+/// The map of such a sampler from one uniform to an angle, and the density that goes with it.
 pub(super) trait Axial {
     /// The angle of a uniform in [0, 1).
     fn tilt(&self, u: f64) -> Tilt;

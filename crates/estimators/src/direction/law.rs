@@ -47,7 +47,7 @@ pub struct Ranks {
 /// Narrowest cone: below, doubles do not tell enough directions apart.
 pub(super) const LEAST_ANGLE: f64 = 1e-9;
 
-/// How far a unit vector in double precision may be off.
+/// The most by which a unit vector in double precision may be off.
 const ROUNDING: f64 = 1e-12;
 
 impl Directions {
@@ -83,13 +83,13 @@ impl Directions {
         self.height
     }
 
-    /// Whether `w` is a unit vector of the support, each coordinate off by `tolerance` and rounding.
+    /// True if `w` is a unit vector of the support, each coordinate off by `tolerance` and rounding.
     #[must_use]
     pub fn holds(&self, w: Vector, tolerance: f64) -> bool {
         is_unit(w, tolerance) && self.beyond_the_rim(w) <= ROUNDING + SQRT_3 * tolerance
     }
 
-    /// How far beyond the rim of the support a unit vector lies, along a chord; negative inside.
+    /// The distance of a unit vector beyond the rim of the support, along a chord; negative inside.
     #[must_use]
     pub fn beyond_the_rim(&self, w: Vector) -> f64 {
         (2.0 * depth(w, self.frame.normal)).sqrt() - (2.0 * self.height).sqrt()
@@ -150,7 +150,7 @@ impl Directions {
     }
 }
 
-/// Whether a vector has length 1, each coordinate off by `tolerance` and rounding.
+/// True if a vector has length 1, each coordinate off by `tolerance` and rounding.
 #[must_use]
 pub fn is_unit(w: Vector, tolerance: f64) -> bool {
     (dot(w, w).sqrt() - 1.0).abs() <= ROUNDING + SQRT_3 * tolerance

@@ -61,7 +61,7 @@ impl Sinusoid {
         self.parameters.mean * (1.0 + self.parameters.amplitude * wave)
     }
 
-    /// Whether the phase passes `turn`, up to whole turns, on [a, b].
+    /// True if the phase passes `turn`, up to whole turns, on [a, b].
     fn passes(&self, turn: f64, a: f64, b: f64) -> bool {
         let turns = |t| self.parameters.frequency * t + self.turns - turn;
         turns(a).ceil() <= turns(b).floor()

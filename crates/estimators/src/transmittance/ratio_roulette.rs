@@ -18,11 +18,11 @@ use freepath_draws::{Draws, Streams};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RatioRoulette {
-    /// When the game is played, and with which odds.
+    /// The rule of the game: which weights play, and their odds.
     pub rule: RouletteRule,
 }
 
-/// When a weight plays roulette, and how it survives.
+/// A rule of roulette: which weights play, and how they survive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RouletteRule {

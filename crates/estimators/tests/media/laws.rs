@@ -61,7 +61,7 @@ fn media() -> impl Strategy<Value = AnyMedium> {
     })
 }
 
-/// What rounding may do to an optical depth: rays are shorter than 4, and so are the media that they are cut from.
+/// The rounding allowed of an optical depth: rays are shorter than 4, and so are the media that they are cut from.
 fn rounding(medium: &dyn Medium) -> f64 {
     let d = medium.length();
     2e-15 * (medium.tau(d) + 4.0 * medium.extrema(0.0, d).1) + 4.0 * medium.tau_error()

@@ -44,7 +44,7 @@ pub(crate) fn norm(a: [f64; 3]) -> f64 {
 
 pub(crate) type Ray = (&'static str, [f64; 3], [f64; 3]);
 
-/// What it is, origin and direction of rays that cross the box.
+/// Name, origin and direction of rays that cross the box.
 pub(crate) fn rays() -> Vec<Ray> {
     let mut rays = vec![
         ("through edges", at([-0.25, -0.2, 0.77]), minus(at([0.5, 0.4, 0.77]), at([0.25, 0.2, 0.77]))),

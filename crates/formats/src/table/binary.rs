@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Read};
 /// Bytes read at a time: more than any row has, and no more for a block of wide rows.
 const PART: usize = 1 << 20;
 
-/// How a number is stored.
+/// The storage of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Cell {
     /// Four bytes instead of eight.
@@ -38,7 +38,7 @@ pub(super) struct Binary {
     pub(super) cell: Cell,
     /// Numbers in a row.
     pub(super) across: usize,
-    /// Which of them are wanted.
+    /// The columns that are wanted.
     pub(super) selected: Vec<Selected>,
     /// Bytes of one call of `read`.
     pub(super) bytes: Vec<u8>,

@@ -21,7 +21,7 @@ pub struct TableFile {
 
 /// A reader that nobody reads from.
 struct Parked {
-    /// Where it stands.
+    /// The row at which it stands.
     row: u64,
     table: Box<dyn Table>,
 }
@@ -60,7 +60,7 @@ impl TableFile {
         Self { path: path.map(Path::to_path_buf), layout, rows, parked }
     }
 
-    /// How many rows there are; none where only reading it through tells, as of text.
+    /// The number of rows; none where only reading it through tells, as of text.
     #[must_use]
     pub fn rows(&self) -> Option<u64> {
         self.rows

@@ -13,7 +13,7 @@ use std::path::Path;
 const MOST_ACROSS: u64 = 4096;
 /// Rows that are passed over at a time.
 const PART: usize = 16_384;
-/// What an array of rows may hold.
+/// The types that an array of rows may hold.
 const TYPES: &str = "float32 or float64, little or big endian";
 
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use std::fs::File;
 use std::io::{Seek, SeekFrom};
 use std::path::Path;
 
-/// What is done with the rows of `N` columns.
+/// A visitor of the rows of `N` columns.
 struct Rows<'a, const N: usize> {
     most: usize,
     select: &'a dyn Fn(&Head) -> Result<[usize; N], Refusal>,

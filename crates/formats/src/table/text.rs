@@ -22,7 +22,7 @@ pub(super) struct Text {
     pending: bool,
     /// Columns of every row.
     across: usize,
-    /// Which of them are wanted.
+    /// The columns that are wanted.
     selected: Vec<Selected>,
 }
 
@@ -31,7 +31,7 @@ struct Row {
     bytes: Vec<u8>,
     ends: Vec<usize>,
     fields: usize,
-    /// Where it stands, from 1.
+    /// Its number, from 1.
     line: u64,
 }
 
@@ -45,7 +45,7 @@ impl Row {
         (0..self.fields).map(|i| self.field(i))
     }
 
-    /// What a first row says: its names, if no field is a number.
+    /// The head that a first row gives: its names, if no field is a number.
     fn head(&self) -> Head {
         let named = self.fields().all(|field| number(field).is_none());
         let name = |field: &[u8]| String::from_utf8_lossy(field).into_owned();

@@ -5,7 +5,7 @@ use crate::error::Refusal;
 use crate::npy::{Header, NUMBERS};
 use std::io::Read;
 
-/// How the volume of a file lies in it, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.
+/// The layout of the volume of a file, once its header is read: `[z][y][x]`, or `[z][y][x][channel]`.
 pub(super) fn volume(file: &mut dyn Read) -> Result<Array, Refusal> {
     let Header { encoding, fortran, shape, start } = Header::read(file, NUMBERS)?;
     let (shape, channels) = match *shape.as_slice() {

@@ -4,7 +4,7 @@ use super::RawLayout;
 use crate::array::Array;
 use crate::encoding::Encoding;
 
-/// How the volume lies in the file: `[z][y][x][channel]` from the first byte.
+/// The layout of the volume in the file: `[z][y][x][channel]` from the first byte.
 pub(super) fn volume(raw: RawLayout) -> Array {
     let RawLayout { shape, values, big_endian, channels } = raw;
     Array { encoding: Encoding { number: values, big_endian }, fortran: false, shape, channels, start: 0 }

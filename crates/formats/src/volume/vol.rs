@@ -8,7 +8,7 @@ use std::io::Read;
 /// Bytes before the values: "VOL", version, type, three sizes, channels, six numbers of a bounding box.
 const HEADER: usize = 48;
 
-/// How the volume lies in the file, once its header is read. Its bounding box is not used: a case states its own.
+/// The layout of the volume, once its header is read. Its bounding box is not used: a case states its own.
 pub(super) fn volume(file: &mut dyn Read) -> Result<Array, Refusal> {
     let mut header = [0; HEADER];
     file.read_exact(&mut header).map_err(|_| not_vol())?;

@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether every look-up keeps to the bound and to the ray.
+/// The check that every look-up keeps to the bound and to the ray.
 pub const CHECK: Check = Check {
     name: "audit",
     words: "A fact: a look-up above the majorant of a subject that relies on the bound, or outside the ray.",

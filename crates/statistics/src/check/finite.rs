@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether every draw is a number.
+/// The check that every draw is a number.
 pub const CHECK: Check = Check {
     name: "finite",
     words: "A fact: a draw is NaN, or infinite where it may not be.",

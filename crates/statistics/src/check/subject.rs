@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether a subject finished its draws.
+/// The check that a subject finished its draws.
 pub const CHECK: Check = Check {
     name: "subject",
     words: "A fact: the subject stopped, panicked, ran past its budget or spoilt its block of draws.",

@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether every draw lies on the ray.
+/// The check that every draw lies on the ray.
 pub const CHECK: Check = Check {
     name: "support",
     words: "A fact: a distance lies outside the ray.",

@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether the draws of a plain law are unweighted.
+/// The check that the draws of a plain law are unweighted.
 pub const CHECK: Check = Check {
     name: "unit_weight",
     words: "A fact: a draw of a free path has a weight other than 1.",

@@ -1,6 +1,6 @@
 use super::Check;
 
-/// Whether collisions lie where there is something to collide with.
+/// The check that collisions lie where there is something to collide with.
 pub const CHECK: Check = Check {
     name: "vacuum",
     words: "A fact: a collision lies where mu is 0.",

@@ -6,7 +6,7 @@ use crate::hypothesis::{self, Sample};
 use crate::tally::{CellTally, PowerSums};
 use freepath_results::{ClaimResult, Reason};
 
-/// What two settings of a subject have in common, and so what is compared.
+/// The quantity that two settings of a subject have in common, and that is compared.
 pub enum Comparable<'a> {
     /// A law, by cells, and what a rejection means.
     Law(&'a CellTally, Reason),
@@ -14,7 +14,7 @@ pub enum Comparable<'a> {
     Mean(PowerSums, Spread),
 }
 
-/// What is known of the draws of a mean.
+/// The range of the draws of a mean, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The least and greatest value, if they are known.
@@ -28,9 +28,9 @@ pub struct Spread {
 pub struct Agreed {
     /// The name of the test.
     pub name: &'static str,
-    /// Whether the whole law is the same in both, or only its atom.
+    /// True if the whole law is the same in both; false if only its atom is.
     pub whole_law: bool,
-    /// How far the two may be apart.
+    /// The most by which the two may be apart.
     pub slack: f64,
 }
 
@@ -60,7 +60,7 @@ impl Comparable<'_> {
 pub struct LawAgreement {
     /// The column by cell.
     pub cells: FoldId<Cells>,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
 }
 
@@ -82,7 +82,7 @@ impl Claim for LawAgreement {
 pub struct MeanAgreement {
     /// Its sums.
     pub weights: FoldId<Weights>,
-    /// What is known of its draws.
+    /// The range of its draws, as far as it is known.
     pub spread: Spread,
 }
 

@@ -21,7 +21,7 @@ pub struct BerkJonesClaim<'a> {
     pub ends: FoldId<Ends>,
     /// Bits of the uniforms.
     pub bits: u32,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
 }
 

@@ -6,7 +6,7 @@ use freepath_results::{AuditResult, ClaimResult, Reason};
 
 /// No look-up exceeds the majorant that held there.
 pub struct Bounded {
-    /// What the audit saw.
+    /// The look-ups that the audit saw.
     pub lookups: FoldId<Lookups>,
 }
 
@@ -29,7 +29,7 @@ impl Claim for Bounded {
 
 /// No look-up lies outside the ray.
 pub struct InsideRay {
-    /// What the audit saw.
+    /// The look-ups that the audit saw.
     pub lookups: FoldId<Lookups>,
 }
 

@@ -5,7 +5,7 @@ use crate::hypothesis::{BlockLookups, MeanClaim};
 use crate::tally::{Batches, PowerSums};
 use freepath_results::ClaimResult;
 
-/// What a ranking by efficiency, 1 / (V T), needs of an estimator.
+/// The data of an estimator that a ranking by efficiency, 1 / (V T), needs.
 pub struct Contender<'a> {
     /// The sums of its draws.
     pub sums: PowerSums,

@@ -10,7 +10,7 @@ pub struct PoissonClaim {
     pub mean: f64,
     /// Its counts.
     pub counts: FoldId<Collisions>,
-    /// How far the mean may be off.
+    /// The most by which the mean may be off.
     pub slack: f64,
 }
 

@@ -4,7 +4,7 @@ use crate::larger::larger;
 use crate::law::Law;
 use crate::special::normal_quantile;
 
-/// What a run should find of a method that is biased by design.
+/// The finding that a run should make of a method that is biased by design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Design {
     /// Its law or mean is the truth.
@@ -30,7 +30,7 @@ impl Design {
         }
     }
 
-    /// What should be found while draws may grow: unsure if it depends on when they stop.
+    /// The finding due while draws may grow: unsure if it depends on when they stop.
     #[must_use]
     pub fn while_growing(first: Self, last: Self) -> Self {
         if first == last || first == Self::Seen { first } else { Self::Unsure }

@@ -11,9 +11,9 @@ use freepath_results::{ClaimResult, Reason};
 pub struct Domain {
     /// The columns.
     pub columns: &'static [&'static str],
-    /// Where that is, atoms among it.
+    /// The places where their law has mass, atoms among them.
     pub inside: Inside,
-    /// Where the rows lie.
+    /// The counts of the rows by place.
     pub places: FoldId<Places>,
 }
 
@@ -58,9 +58,9 @@ fn listed(numbers: &[f64]) -> String {
 pub struct AtomsClaim {
     /// The mass of each.
     pub masses: Vec<f64>,
-    /// How far each may be off.
+    /// The most by which each may be off.
     pub slack: f64,
-    /// How often each was drawn.
+    /// The count of draws at each.
     pub places: FoldId<Places>,
 }
 

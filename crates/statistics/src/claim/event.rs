@@ -10,7 +10,7 @@ use freepath_results::{ChannelResult, ClaimResult, Reason};
 pub struct EventClaim {
     /// The name of the test.
     pub name: String,
-    /// Which column of weights.
+    /// The column of weights.
     pub channel: usize,
     /// The event.
     pub event: Event,

@@ -26,15 +26,15 @@ pub struct LawClaim {
     pub law: Arc<Law>,
     /// The column by cell.
     pub cells: FoldId<Cells>,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
     /// The law that the method has by design, if that is another; on the same cells.
     pub own: Option<Arc<Law>>,
-    /// Where the law breaks, for the life table.
+    /// The distances at which the law breaks, for the life table.
     pub breaks: Vec<f64>,
     /// For a step rule: the power of the step with which its error falls.
     pub order: Option<f64>,
-    /// Whether draws may grow towards a bound on the distance from the law.
+    /// True if draws may grow towards a bound on the distance from the law.
     pub grows: bool,
 }
 

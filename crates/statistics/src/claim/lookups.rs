@@ -8,11 +8,11 @@ use freepath_results::ClaimResult;
 pub struct LookupsClaim {
     /// So many.
     pub expected: f64,
-    /// What the audit saw.
+    /// The look-ups that the audit saw.
     pub lookups: FoldId<Lookups>,
     /// Rows of a block.
     pub rows: usize,
-    /// How far the mean may be off.
+    /// The most by which the mean may be off.
     pub slack: f64,
 }
 

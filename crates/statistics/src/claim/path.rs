@@ -46,7 +46,7 @@ pub struct CountedPath {
     pub column: &'static str,
     /// The far end of the ray.
     pub length: f64,
-    /// What does not.
+    /// The counts of those that do not.
     pub strays: FoldId<Strays>,
 }
 

@@ -39,7 +39,7 @@ pub struct JointRanks {
     pub law: Arc<Law>,
     /// The joint rank by cell.
     pub cells: FoldId<Cells>,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
 }
 

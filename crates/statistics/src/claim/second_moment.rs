@@ -23,7 +23,7 @@ pub struct SecondMomentClaim {
     pub sums: Moments,
     /// E[X^2], E[X^4] and E[X^6].
     pub moments: [f64; 3],
-    /// How far the mean may be off.
+    /// The most by which the mean may be off.
     pub slack: f64,
 }
 

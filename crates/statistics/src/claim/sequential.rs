@@ -6,7 +6,7 @@ use freepath_results::Reason;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How small the bias must be shown to be.
+/// The bound below which the bias must be shown to lie.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum BiasBound {
@@ -27,10 +27,10 @@ impl BiasBound {
     }
 }
 
-/// What a case asks of growth.
+/// The growth that a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked {
-    /// How small the bias must be shown to be.
+    /// The bound below which the bias must be shown to lie.
     pub bound: BiasBound,
     /// Draws of stage 1.
     pub draws: u64,
@@ -38,14 +38,14 @@ pub struct Asked {
     pub budget: u64,
 }
 
-/// What a sequence says after some draws.
+/// The findings of a sequence after some draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InterimLook {
-    /// What the error is below, the slack of the truth left out.
+    /// The bound on the error, the slack of the truth left out.
     pub bound: f64,
     /// Against an error of 0, at all numbers of draws at once.
     pub p: f64,
-    /// How they were made.
+    /// The method that made them.
     pub method: &'static str,
     /// Why there is no bound.
     pub withheld: Option<(Reason, String)>,
@@ -53,7 +53,7 @@ pub struct InterimLook {
 
 /// A test that may be looked at while draws grow: one of a mean or of a law.
 pub(super) trait Sequence {
-    /// What it says after all draws so far.
+    /// Its findings after all draws so far.
     fn look(&self, tallies: &Tallies, looks: &mut Looks, target: f64) -> InterimLook;
 
     /// The folds of the next draws, with bets placed by those so far. Provided: the same.
@@ -62,22 +62,22 @@ pub(super) trait Sequence {
     }
 }
 
-/// What a bound is asked for, and the sequences that answer.
+/// A bound that is asked for, and the sequences that answer.
 pub struct SequentialTest<'a> {
     /// The bound that the case asks for.
     pub asked: f64,
-    /// How far the truth itself may be off.
+    /// The most by which the truth itself may be off.
     pub slack: f64,
-    /// What is bounded, in symbols.
+    /// The bounded quantity, in symbols.
     pub what: &'static str,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
     pub(super) sequence: Box<dyn Sequence + 'a>,
     pub(super) looks: Looks,
 }
 
 impl SequentialTest<'_> {
-    /// What the draws must show of the bound: the truth's own error is left out.
+    /// The bound that the draws must show: the truth's own error is left out.
     #[must_use]
     pub fn target(&self) -> f64 {
         self.asked - self.slack
@@ -89,7 +89,7 @@ impl SequentialTest<'_> {
         bound + self.slack
     }
 
-    /// What the sequences say after all draws so far.
+    /// The findings of the sequences after all draws so far.
     pub fn look(&mut self, tallies: &Tallies) -> InterimLook {
         let target = self.target();
         self.sequence.look(tallies, &mut self.looks, target)

@@ -13,13 +13,13 @@ use std::sync::Arc;
 pub struct SeriesClaim {
     /// The law of the whole ray.
     pub law: Arc<Law>,
-    /// Which draws made beside the subject's own.
+    /// The index of the draws, among those made beside the subject's own.
     pub beside: usize,
     /// Their distances by cell.
     pub cells: FoldId<Cells>,
     /// Their look-ups.
     pub lookups: FoldId<Lookups>,
-    /// What a rejection means.
+    /// The reason that a rejection gives.
     pub reason: Reason,
 }
 

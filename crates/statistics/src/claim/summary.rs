@@ -1,6 +1,6 @@
 use freepath_results::{AuditResult, ChannelResult, ClaimResult, Grown, LawResult, MeanResult, Series};
 
-/// What the claims on one subject add to its results.
+/// The additions of the claims on one subject to its results.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
     /// Each claim in words.
@@ -11,19 +11,19 @@ pub struct Summary {
     pub law: Option<LawResult>,
     /// Of weighted means of events.
     pub channels: Vec<ChannelResult>,
-    /// What is drawn.
+    /// The series that plots draw.
     pub series: Series,
     /// Look-ups per draw.
     pub lookups: f64,
     /// Look-ups per draw that the method must make.
     pub lookups_expected: Option<f64>,
-    /// What the audit counted.
+    /// The counts of the audit.
     pub audit: AuditResult,
     /// For a step rule: how its error falls.
     pub order: Option<StepOrder>,
 }
 
-/// How the error of a step rule falls.
+/// The order of a step rule, and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepOrder {
     /// Like this power of the step.

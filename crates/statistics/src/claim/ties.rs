@@ -12,7 +12,7 @@ pub struct TiesClaim {
     pub ties: FoldId<Ties>,
     /// The column by cell.
     pub cells: FoldId<Cells>,
-    /// Whether the rows were written by another program, which may have rounded them.
+    /// True if the rows were written by another program, which may have rounded them.
     pub written: bool,
 }
 

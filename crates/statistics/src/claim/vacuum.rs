@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Vacuum<'a> {
     /// The law of the collisions.
     pub law: Arc<Law>,
-    /// Whether mu is 0 from one distance to another.
+    /// True if mu is 0 from one distance to another.
     pub empty: Box<dyn Fn(f64, f64) -> bool + Send + Sync + 'a>,
     /// The collisions by cell.
     pub cells: FoldId<Cells>,

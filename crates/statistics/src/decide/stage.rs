@@ -7,14 +7,14 @@ pub const STAGE_ALPHA: f64 = 1e-3;
 /// One test of a stage: what it found, and what Holm over the stage left of its p-value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageTest<'a> {
-    /// What it found.
+    /// Its statistic and p-value.
     pub evidence: &'a Evidence,
     /// The adjusted p-value; none of a test that the verdict does not use.
     pub adjusted: Option<f64>,
 }
 
 impl StageTest<'_> {
-    /// Whether it rejects at the error of the stage.
+    /// True if it rejects at the error of the stage.
     #[must_use]
     pub fn rejects(&self) -> bool {
         self.rejects_at(STAGE_ALPHA)
@@ -45,7 +45,7 @@ impl Stage<'_> {
     }
 }
 
-/// Whether a p-value rejects: NaN does.
+/// True if a p-value rejects: NaN does.
 pub(super) fn rejects_at(p: Option<f64>, level: f64) -> bool {
     p.is_some_and(|p| !(p > level))
 }

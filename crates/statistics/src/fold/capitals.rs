@@ -3,7 +3,7 @@ use crate::block::{Block, Scratch};
 use crate::sequence::{Bets, Capitals};
 use freepath_draws::MissingColumn;
 
-/// What bets on the rows of a column gain.
+/// The gain of bets on the rows of a column.
 pub struct CapitalSums {
     /// The column.
     pub column: &'static str,

@@ -10,11 +10,11 @@ use std::sync::Arc;
 pub enum Values {
     /// Those of a column.
     Column(&'static str),
-    /// What becomes of columns, row by row: a rank, whose law is uniform wherever theirs is continuous.
+    /// A rank of columns, row by row: its law is uniform wherever theirs is continuous.
     Rank(Rank),
 }
 
-/// What becomes of the columns of a row.
+/// A function of the columns of a row.
 pub type RankOf = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 
 /// A number made of the columns of a row.
@@ -22,7 +22,7 @@ pub type RankOf = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 pub struct Rank {
     /// The columns.
     pub columns: &'static [&'static str],
-    /// What becomes of them, in their order.
+    /// The function of them, in their order.
     pub of: RankOf,
 }
 
@@ -32,7 +32,7 @@ pub struct Cells {
     pub values: Values,
     /// The law whose cells they are.
     pub law: Arc<Law>,
-    /// Where the cells of the rows are left.
+    /// The place where the cells of the rows are left.
     pub index: CellIndex,
 }
 

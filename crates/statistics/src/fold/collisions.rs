@@ -5,7 +5,7 @@ use crate::tally::CountTally;
 use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
-/// What the numbers of collisions are counted against.
+/// The other axis of a histogram of the numbers of collisions.
 #[derive(Clone)]
 pub enum Histogram {
     /// Nothing else.

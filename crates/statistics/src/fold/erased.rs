@@ -24,7 +24,7 @@ impl<T: Any + Clone + Send + Sync> State for T {
     }
 }
 
-/// What a block left in one fold.
+/// The part that a block left in one fold.
 pub(super) type Part = Box<dyn Any + Send>;
 
 /// A [`Fold`] without its types.

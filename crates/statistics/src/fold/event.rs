@@ -3,7 +3,7 @@ use crate::block::{Block, Scratch};
 use crate::tally::{PowerSums, Tail};
 use freepath_draws::MissingColumn;
 
-/// Which draws a weight belongs to.
+/// The event whose draws a weight belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// A collision anywhere on the ray.
@@ -15,7 +15,7 @@ pub enum Event {
 }
 
 impl Event {
-    /// Whether a draw at `t` is this event.
+    /// True if a draw at `t` is this event.
     #[inline(always)]
     #[must_use]
     pub fn holds(self, t: f64) -> bool {
@@ -35,9 +35,9 @@ pub struct EventSums {
     pub distance: &'static str,
     /// The event.
     pub event: Event,
-    /// Where the sums are centred.
+    /// The centre of the sums.
     pub center: f64,
-    /// Whether the largest are kept, since nothing says that the weights have a variance.
+    /// True if the largest are kept, since nothing says that the weights have a variance.
     pub keeps_tail: bool,
 }
 

@@ -22,20 +22,20 @@ pub struct Folds {
     indices: usize,
 }
 
-/// What one worker has counted.
+/// The counts of one worker.
 pub struct Counts(Vec<Box<dyn State>>);
 
-/// What one block leaves: the floats of every fold.
+/// The parts that one block leaves: the floats of every fold.
 pub struct Parts(Vec<Part>);
 
-/// What every fold has tallied over a range of blocks.
+/// The tallies of every fold over a range of blocks.
 #[derive(Default)]
 pub struct Tallies {
     counts: Vec<Box<dyn State>>,
     sums: Vec<Box<dyn State>>,
     /// Draws taken.
     pub draws: u64,
-    /// What was tallied of draws made beside these, such as of a ray in two parts.
+    /// The tallies of draws made beside these, such as of a ray in two parts.
     pub beside: Vec<Tallies>,
 }
 
@@ -66,7 +66,7 @@ impl Folds {
         Counts(self.list.iter().map(|fold| fold.empty()).collect())
     }
 
-    /// What is told of the look-ups of the block at place `nth`: the first fold that asks.
+    /// The watch on the look-ups of the block at place `nth`: that of the first fold that asks.
     pub fn watch<'a>(&self, nth: u64, counts: &'a mut Counts) -> Option<&'a mut dyn LookupWatch> {
         let mut all = self.list.iter().zip(&mut counts.0);
         all.find_map(|(fold, counts)| fold.watch(nth, &mut **counts))

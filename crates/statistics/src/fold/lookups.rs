@@ -4,7 +4,7 @@ use crate::hypothesis::BlockLookups;
 use crate::tally::Audit;
 use freepath_draws::MissingColumn;
 
-/// What the audit saw of each block; nothing of draws that are made elsewhere.
+/// The audit's counts of each block; nothing of draws that are made elsewhere.
 pub struct Lookups;
 
 /// Look-ups, all told and by block.

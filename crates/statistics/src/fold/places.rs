@@ -3,25 +3,25 @@ use crate::block::{Block, Scratch};
 use freepath_draws::MissingColumn;
 use std::sync::Arc;
 
-/// Where the columns of a row may lie, in their order.
+/// A predicate: true where the columns of a row, in their order, may lie.
 pub type Inside = Arc<dyn Fn(&[f64]) -> bool + Send + Sync>;
 
 /// Rows that lie where they may not, and those that are atoms.
 pub struct Places {
     /// The columns.
     pub columns: &'static [&'static str],
-    /// Where a row that is no atom may lie.
+    /// The places where a row that is no atom may lie.
     pub inside: Inside,
     /// The atoms of the first column.
     pub atoms: Vec<f64>,
 }
 
-/// How many rows lie where.
+/// Counts of rows by where they lie.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlaceCounts {
     /// NaN in any column.
     pub non_finite: u64,
-    /// Where there is no mass.
+    /// Rows where there is no mass.
     pub outside: u64,
     /// At each atom.
     pub atoms: Vec<u64>,

@@ -10,7 +10,7 @@ pub struct Strays {
     pub length: f64,
 }
 
-/// How many distances are wrong for certain.
+/// Counts of distances that are wrong for certain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StrayCounts {
     /// NaN.

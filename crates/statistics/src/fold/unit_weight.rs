@@ -2,7 +2,7 @@ use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
 use freepath_draws::MissingColumn;
 
-/// How many rows have a weight other than 1.
+/// The number of rows that have a weight other than 1.
 pub struct UnitWeight {
     /// The column of weights.
     pub column: &'static str,

@@ -7,13 +7,13 @@ use freepath_draws::MissingColumn;
 pub struct Weights {
     /// The column.
     pub column: &'static str,
-    /// Where the sums are centred.
+    /// The centre of the sums.
     pub center: f64,
-    /// Whether the largest are kept, since nothing says that there is a variance.
+    /// True if the largest are kept, since nothing says that there is a variance.
     pub keeps_tail: bool,
 }
 
-/// What [`Weights`] sums up.
+/// The sums of [`Weights`].
 #[derive(Clone, Debug)]
 pub struct WeightSums {
     /// Of all draws.

@@ -37,13 +37,13 @@ Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
     Test { name, words, details, nulls: &[NullClass::Uniform, NullClass::Conservative], section: name }
 }
 
-/// What is known of the draws of both samples.
+/// The range of the draws of both samples, as far as it is known, and their slack.
 pub struct Sample {
     /// Least and greatest value of a draw, if claimed.
     pub range: Option<(f64, f64)>,
     /// Every draw is 0 or 1.
     pub binary: bool,
-    /// How far the two means may be apart.
+    /// The most by which the two means may be apart.
     pub slack: f64,
 }
 

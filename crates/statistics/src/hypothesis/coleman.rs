@@ -47,7 +47,7 @@ pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, r
     pooled(TEST.name, &observed, &mass, 2.0 * law.slack(), reason)
 }
 
-/// Whether a draw lies where none can: cells of no probability join others where counts are compared.
+/// True if a draw lies where none can: cells of no probability join others where counts are compared.
 fn impossible(observed: &[u64], mass: &[f64]) -> bool {
     observed.iter().zip(mass).any(|(&o, &p)| o > 0 && p <= 0.0)
 }

@@ -11,7 +11,7 @@ pub enum Among {
     Collided,
 }
 
-/// What the supremum of a distance lies between.
+/// Bounds on the supremum of a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracket {
     /// The largest distance at the edges of the fine cells.

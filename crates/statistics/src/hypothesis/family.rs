@@ -7,8 +7,8 @@ fn test(name: &str) -> Option<&'static Test> {
     TESTS.iter().find(|test| test.name == name)
 }
 
-/// What the same tests of other numbers than those of the main law begin with: of the law that a method has by design, of the
-/// second rank of a row, of both ranks at once.
+/// The prefixes of the same tests of other numbers than those of the main law: of the law that a method has by design,
+/// of the second rank of a row, of both ranks at once.
 const PREFIXES: [&str; 3] = ["own_", "second_rank_", "joint_"];
 
 /// The name in [`TESTS`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
@@ -29,7 +29,7 @@ pub fn family(name: &str) -> &str {
     }
 }
 
-/// Whether the p-values of test `family` may follow a law of this class.
+/// True if the p-values of test `family` may follow a law of this class.
 #[must_use]
 pub fn declares(family: &str, null: NullClass) -> bool {
     test(family).is_some_and(|test| test.nulls.contains(&null))

@@ -9,7 +9,7 @@ const FEWEST: u64 = 1000;
 /// The largest share of the collisions that one fine cell may hide.
 const HEAVIEST: f64 = 1.0 / 1024.0;
 
-/// How far the law may be off, in standard deviations of the empirical CDF.
+/// The most by which the law may be off, in standard deviations of the empirical CDF.
 const BLURRED: f64 = 0.01;
 
 /// One fine cell in u = F(t) / F(length) of the collided draws.

@@ -19,7 +19,7 @@ Source:  Ville (1939), Robbins (1970), Darling and Robbins (1967), Howard et al.
     section: "growth",
 };
 
-/// What all looks so far say: `bound` on the error, and `p` against an error of 0, at all numbers of draws at once.
+/// The evidence of all looks so far: `bound` on the error, `p` against an error of 0, at all numbers of draws at once.
 #[must_use]
 pub fn growth(bound: f64, p: f64, reason: Reason) -> Evidence {
     let p = if p > 1.0 { 1.0 } else { p };

@@ -23,7 +23,7 @@ Rejects: as wrong_cost: one look-up too many at the end, cached values, another 
 /// Look-ups of each block, as integers: they merge in any order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BlockLookups {
-    /// How many blocks.
+    /// The number of blocks.
     pub blocks: u64,
     /// The sum over blocks.
     pub sum: u128,

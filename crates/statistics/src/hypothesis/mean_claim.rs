@@ -1,9 +1,9 @@
-/// What is claimed of a mean.
+/// The claim on a mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanClaim {
     /// The value.
     pub expected: f64,
-    /// How far it may be off: error of tau, and a declared tolerance.
+    /// The most by which it may be off: error of tau, and a declared tolerance.
     pub slack: f64,
     /// Every draw is 0 or 1.
     pub binary: bool,

@@ -1,15 +1,15 @@
 use crate::evidence::NullClass;
 
-/// What identifies a test, in the test's own file: all that is told of it elsewhere is read here.
+/// The record of a test, in the test's own file: all that is told of it elsewhere is read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Test {
     /// Its name in results.
     pub name: &'static str,
-    /// What it looks at: the first sentence of all that is told.
+    /// Its subject matter: the first sentence of all that is told.
     pub words: &'static str,
     /// Formula, gate, what a rejection means, what it sees, and its source.
     pub details: &'static str,
-    /// Which laws its p-values may have where its claim holds.
+    /// The laws that its p-values may have where its claim holds.
     pub nulls: &'static [NullClass],
     /// Its section of `docs/statistics.md`, as a link has it.
     pub section: &'static str,

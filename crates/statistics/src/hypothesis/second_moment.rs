@@ -23,7 +23,7 @@ Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     section: "second_moment",
 };
 
-/// How good the formulas of the moments are, relative to them.
+/// The relative error of the formulas of the moments.
 const FORMULA: f64 = 1e-10;
 
 /// E[X^2] against its formula; `moments` are E[X^2], E[X^4] and E[X^6]. Each draw may be off by `slack`.

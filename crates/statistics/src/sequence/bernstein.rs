@@ -17,13 +17,13 @@ use crate::tally::PowerSums;
 /// Width: 1.1 times that of a normal interval at a = 1e-6 over seven doublings. Cost: none for each draw beyond [`PowerSums`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmpiricalBernstein {
-    /// How far draws may lie below the centre, and above it.
+    /// The most by which draws may lie below the centre, and above it.
     reach: [f64; 2],
     /// Bets on a mean above, and on one below.
     lambdas: [Vec<f64>; 2],
 }
 
-/// What rounding may do to a draw at the end of the range, relative to the range.
+/// The most by which rounding may move a draw at the end of the range, relative to the range.
 const ROUNDING: f64 = 1e-12;
 
 impl EmpiricalBernstein {

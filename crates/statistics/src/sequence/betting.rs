@@ -48,8 +48,8 @@ impl Bets {
         }
     }
 
-    /// What the bets gain on a column: always in the same order of multiplications. NaN and infinity are passed over: they are
-    /// facts, and fail.
+    /// The gain of the bets on a column: always in the same order of multiplications. NaN and infinity are passed over:
+    /// they are facts, and fail.
     #[must_use]
     pub fn on(&self, column: &[f64]) -> Capitals {
         simd::dispatch(
@@ -91,7 +91,7 @@ impl Capitals {
         }
     }
 
-    /// Whether the bets rule out an error of the bound or more, each side at half of `level`.
+    /// True if the bets rule out an error of the bound or more, each side at half of `level`.
     #[must_use]
     pub fn prove(&self, level: f64) -> bool {
         let enough = libm::log(2.0 / level);

@@ -14,7 +14,7 @@ pub(super) fn ln_mean_exp(x: impl Iterator<Item = f64> + Clone) -> f64 {
     largest + libm::log(sum / count)
 }
 
-/// Where `rises` first does between `low`, where it does not, and `high`, where it does: to the last digit, seen from `low`.
+/// The first point at which `rises`, false at `low` and true at `high`, holds: to the last digit, seen from `low`.
 pub(super) fn bisect(mut low: f64, mut high: f64, rises: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (low + high);

@@ -40,7 +40,7 @@ pub fn chi_square_noncentrality(dof: f64, level: f64, power: f64) -> f64 {
     root(0.0, 1400.0, |l| noncentral_chi_square_sf(dof, l, critical) < power)
 }
 
-/// Where `below` stops to hold between two ends; NaN if it still holds at the upper one.
+/// The point between two ends where `below` stops to hold; NaN if it still holds at the upper one.
 fn root(low: f64, high: f64, below: impl Fn(f64) -> bool) -> f64 {
     if below(high) {
         return f64::NAN;

@@ -1,6 +1,6 @@
 use std::fmt;
 
-/// What was recorded of some look-ups.
+/// The record of some look-ups.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Audit {
     /// All look-ups.
@@ -18,7 +18,7 @@ pub struct Audit {
 pub struct Excess {
     /// Where.
     pub t: f64,
-    /// What was found there.
+    /// The value of mu found there.
     pub mu: f64,
     /// The majorant there.
     pub bound: f64,

@@ -1,7 +1,7 @@
 /// Most groups held: then neighbours are taken together.
 const MOST: usize = 128;
 
-/// What a group of neighbouring blocks gave: a pair of variance and cost can be made of it.
+/// The sums of a group of neighbouring blocks: a pair of variance and cost can be made of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Batch {
     /// Draws.

@@ -60,7 +60,7 @@ impl CellTally {
     }
 }
 
-/// What it takes to find the fine cell of a t.
+/// The constants that find the fine cell of a t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
     scale: f64,

@@ -39,7 +39,7 @@ const TURNS: usize = 4;
 pub struct Scores {
     /// Of no cell, of an escape, then of each cell: where `cell + 2` wraps to.
     table: Vec<i16>,
-    /// What was subtracted from F.
+    /// The number that was subtracted from F.
     mean: i16,
     variance: f64,
     skewness: f64,
@@ -204,7 +204,7 @@ fn count(
     }
 }
 
-/// Where a pair of groups is counted. A group is less than [`RANK_GROUPS`], so that two fill a byte.
+/// The place where a pair of groups is counted. A group is less than [`RANK_GROUPS`], so that two fill a byte.
 fn place(pair: &[u8]) -> usize {
     usize::from(pair[0] << 4 | pair[1])
 }

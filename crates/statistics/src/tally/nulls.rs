@@ -2,8 +2,8 @@ use super::cells::{Lattice, locate};
 use super::counts::{COLUMNS, group_of_cells};
 use crate::law::Law;
 
-/// Where the tentative collisions of delta tracking were looked up and with what probability each was real, and where the
-/// real ones lie, by group of t.
+/// The places where delta tracking looked up its tentative collisions, the probability with which each was real, and
+/// the real ones lie, by group of t.
 ///
 /// Probabilities are whole numbers of 2^-32, so that counts of workers merge in any order.
 #[derive(Clone, Debug, PartialEq)]

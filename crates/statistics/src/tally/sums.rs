@@ -5,7 +5,7 @@ use freepath_draws::math;
 /// Centred at the expected value, they lose nothing to cancellation where it matters: when the mean is right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerSums {
-    /// What is subtracted from each draw.
+    /// The number subtracted from each draw.
     pub center: f64,
     /// Finite draws.
     pub n: u64,

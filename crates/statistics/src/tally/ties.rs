@@ -27,7 +27,7 @@ fn hash(bits: u64) -> u32 {
     mixed ^ (mixed >> 15)
 }
 
-/// Whether any hash is at most `threshold`: by the least of them, since a vector unit has an instruction for that.
+/// True if any hash is at most `threshold`: by the least of them, since a vector unit has an instruction for that.
 #[inline(always)]
 fn below(part: &[f64], threshold: u32) -> bool {
     part.iter().fold(u32::MAX, |least, t| least.min(hash(t.to_bits()))) <= threshold

@@ -50,7 +50,7 @@ fn text_of_other_customs_is_refused_in_words() {
     ]);
 }
 
-/// What other programs write, and is right: marks of the byte order, either end of lines, quotes, words for infinity.
+/// Text of other programs that is right: marks of the byte order, either end of lines, quotes, words for infinity.
 #[test]
 fn text_of_other_programs_is_read() {
     for (name, bytes, column) in [

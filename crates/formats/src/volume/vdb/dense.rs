@@ -31,7 +31,7 @@ impl IndexBox {
         std::array::from_fn(|k| (self.last[k] - self.first[k] + 1) as usize)
     }
 
-    /// Where its cells begin and end along axis `k`, in voxels.
+    /// The ends of its cells along axis `k`, in voxels.
     pub(super) fn edges(&self, k: usize) -> [f64; 2] {
         [self.first[k] as f64 - 0.5, self.last[k] as f64 + 0.5]
     }

@@ -125,7 +125,7 @@ impl Descriptor {
         self.start
     }
 
-    /// How the grid lies in space.
+    /// The transform of the grid into space.
     pub(super) fn map<F: Read + Seek>(&self, file: &mut Source<F>) -> Result<Map, Refusal> {
         file.go(self.start)?;
         file.u32()?; // how it is packed
@@ -133,7 +133,7 @@ impl Descriptor {
         Map::read(file)
     }
 
-    /// Where its own tree is and how that is packed.
+    /// The place of its own tree, and its packing.
     pub(super) fn tree<F: Read + Seek>(&self, file: &mut Source<F>) -> Result<Place, Refusal> {
         let whole = self.kind.strip_suffix(AS_HALF);
         if whole.unwrap_or(&self.kind) != b"Tree_float_5_4_3" {

@@ -11,10 +11,10 @@ use std::io::{Read, Seek};
 const ZIP: u32 = 1;
 const ACTIVE_MASK: u32 = 2;
 const BLOSC: u32 = 4;
-/// How much longer than plain a packed run may be: a header that did not pay.
+/// The most bytes by which a packed run may be longer than plain: a header that did not pay.
 const SLACK: usize = 64;
 
-/// How the numbers of a grid are stored.
+/// The storage of the numbers of a grid.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Packing {
     flags: u32,

@@ -3,7 +3,7 @@ use super::*;
 use proptest::prelude::*;
 use std::io::Cursor;
 
-/// What OpenVDB has written and read: see `tests/vdb/README.md`.
+/// A file that OpenVDB has written and read: see `tests/vdb/README.md`.
 fn stored(name: &str) -> Vec<u8> {
     std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/vdb/").to_string() + name).unwrap()
 }
@@ -133,7 +133,7 @@ fn what_cannot_be_read_is_refused() {
     assert!(cause(read_voxels(&good, &all)).contains("too large"));
 }
 
-/// Where the one grid of a file begins, and its tree.
+/// The beginnings of the one grid of a file, and of its tree.
 fn places(bytes: &[u8]) -> (usize, usize) {
     let mut file = Source::new(Cursor::new(bytes), bytes.len() as u64);
     let directory = Directory::read(&mut file).unwrap();

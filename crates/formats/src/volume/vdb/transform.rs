@@ -3,7 +3,7 @@ use super::dense::IndexBox;
 use crate::error::Refusal;
 use std::io::{Read, Seek};
 
-/// Where voxels are: that of index i is centred at the rows' sum of i times a row, plus the shift.
+/// The places of voxels: that of index i is centred at the rows' sum of i times a row, plus the shift.
 #[derive(Debug)]
 pub(super) struct Map {
     rows: [[f64; 3]; 3],

@@ -14,7 +14,7 @@ pub(super) const LEAF: i64 = 8;
 /// Voxels along a side of each kind of node below the root, and places along that side.
 const LEVELS: [(i64, usize); 2] = [(4096, 32), (128, 16)];
 
-/// Where a tree is in the file.
+/// The place of a tree in the file.
 pub(super) struct Place {
     pub(super) start: u64,
     pub(super) packing: Packing,
@@ -29,7 +29,7 @@ pub(super) struct Tile {
     pub(super) active: bool,
 }
 
-/// What is done with the parts of a tree as they come by; none overlaps another.
+/// A visitor of the parts of a tree as they come by; none overlaps another.
 pub(super) trait Visit {
     /// The value wherever nothing else is.
     fn background(&mut self, value: f32);

@@ -11,7 +11,7 @@ use freepath_results::{LifeTable, Real};
 const MOST_ROWS: usize = 128;
 /// With fewer breaks than this, equal rows are cut as well.
 const FEWEST_BREAKS: usize = 8;
-/// How many of them.
+/// The number of equal rows.
 const EQUAL_ROWS: usize = 16;
 
 /// The table of the draws in `tally` against the medium's law.
@@ -28,7 +28,7 @@ pub(super) fn of(law: &Law, breaks: &[f64], tally: &CellTally) -> LifeTable {
     table
 }
 
-/// What the row that is off most says, if it is by more than chance.
+/// A sentence on the row that is off most, if it is by more than chance.
 #[must_use]
 pub fn worst(table: &LifeTable) -> Option<String> {
     let off = (0..table.p.len()).filter(|&i| table.p[i].0 * table.p.len() as f64 <= STAGE_ALPHA);
@@ -48,7 +48,7 @@ pub fn worst(table: &LifeTable) -> Option<String> {
     ))
 }
 
-/// How far a row is off, in standard errors: p-values of 0 tell nothing of it.
+/// The distance of a row from its law, in standard errors: p-values of 0 tell nothing of it.
 fn distance(table: &LifeTable, i: usize) -> f64 {
     let (n, expected) = (table.at_risk[i] as f64, table.expected[i].0);
     let variance = expected * (1.0 - expected / n);

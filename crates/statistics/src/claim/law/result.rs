@@ -6,7 +6,7 @@ use crate::special::{clopper_pearson, normal_quantile};
 use crate::tally::CellTally;
 use freepath_results::{Atom, LawResult, Real};
 
-/// How far a column is from a law, and what would have been seen.
+/// The distance of a column from a law, and the distance that would have been seen.
 pub(in crate::claim) fn law_result(law: &Law, tally: &CellTally) -> LawResult {
     let n = tally.draws();
     let distance = sup_distance(law, tally, Among::All);

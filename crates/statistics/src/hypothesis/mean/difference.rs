@@ -2,7 +2,7 @@ use crate::hypothesis::chi_square::lessened;
 use crate::hypothesis::mean_claim::MeanClaim;
 use crate::tally::PowerSums;
 
-/// What rounding may do to a mean, relative to it.
+/// The most by which rounding may move a mean, relative to it.
 pub(super) const ROUNDING: f64 = 1e-12;
 
 /// mean - expected, whatever the sums are centred at.
@@ -15,7 +15,7 @@ pub(super) fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     lessened(bias(sums, claim), slack(claim))
 }
 
-/// What the claim and rounding leave open.
+/// The slack of the claim, and that of rounding.
 pub(super) fn slack(claim: &MeanClaim) -> f64 {
     claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE
 }

@@ -11,7 +11,7 @@ use crate::tally::PowerSums;
 /// An interval for the bias at the reporting level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// How it was made.
+    /// The method that made it.
     pub method: Method,
     /// Limits of the bias.
     pub low: f64,

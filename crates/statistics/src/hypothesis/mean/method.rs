@@ -3,7 +3,7 @@ use crate::hypothesis::clt_gate::clt_gate;
 use crate::hypothesis::mean_claim::MeanClaim;
 use crate::tally::PowerSums;
 
-/// Which interval and test the draws allow.
+/// The interval and the test that the draws allow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Exact binomial and Clopper-Pearson (1934).
@@ -62,15 +62,15 @@ pub(super) fn skewness(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     }
 }
 
-/// Whether skewness allows the plain, and the corrected, statistic.
+/// True if skewness allows the plain, and the corrected, statistic.
 pub(in crate::hypothesis) fn gate(skewness: f64, n: f64) -> (bool, bool) {
     let g = skewness.abs() / n.sqrt();
     (g <= 0.03, g <= 0.1)
 }
 
-/// Whether the draws have no noise, so that their value is compared with the truth: not if a formula says that they have, by a
-/// variance that is more than cancellation or a skewness, and not if all are 0 or all are 1, as of walks that have met
-/// nothing yet.
+/// True if the draws have no noise, so that their value is compared with the truth: not if a formula says that they
+/// have, by a variance that is more than cancellation or a skewness, and not if all are 0 or all are 1, as of walks
+/// that have met nothing yet.
 fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
     let scale = claim.expected.abs();
     let skew = claim.skewness.is_some_and(|skewness| !skewness.is_nan());
@@ -81,7 +81,7 @@ fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
     still && (scale == 0.0 || (!noisy && telling)) // where nothing is due there is no noise
 }
 
-/// Whether every draw lies in the range, but for rounding.
+/// True if every draw lies in the range, but for rounding.
 #[must_use]
 pub fn within(sums: &PowerSums, (low, high): (f64, f64)) -> bool {
     let rounding = ROUNDING * (high - low);

@@ -1,6 +1,6 @@
 use crate::special::likelihood_ratio::likelihood_ratio;
 
-/// What a martingale may fall short of the ratio that it stands for.
+/// The most by which a martingale may fall short of the ratio that it stands for.
 const GIVEN: f64 = 0.5;
 
 /// Beyond it the bound is 0.
@@ -36,14 +36,14 @@ pub fn berk_jones_bound(m: f64, x: f64) -> f64 {
     if bound > 1.0 { 1.0 } else { bound }
 }
 
-/// Whether the count is above or below its mean.
+/// The side of its mean on which the count lies.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     Above,
     Below,
 }
 
-/// How many factors cover all counts up to m/2: each as many as it can.
+/// The number of factors that cover all counts up to m/2: each as many as it can.
 fn factors(m: f64, x: f64, side: Side) -> f64 {
     let half = (0.5 * m).floor();
     let mut first = if side == Side::Above { 1.0 } else { 0.0 };

@@ -14,7 +14,7 @@ pub(super) fn psi(z: f64) -> f64 {
     }
 }
 
-/// What belongs to exponents 4k + 1, 4k + 3 and 4k + 5.
+/// The terms of exponents 4k + 1, 4k + 3 and 4k + 5.
 fn term(k: f64, z: f64) -> f64 {
     let (m, root) = (2.0 * k + 1.0, z.sqrt());
     let (y1, y2) = (root * root.sqrt(), z * root.sqrt()); // z^(3/4) and z^(5/4)
