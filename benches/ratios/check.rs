@@ -28,7 +28,7 @@ pub(crate) fn floors(rounds: usize) -> [f64; 3] {
     times.map(|ns| ns / BLOCK as f64)
 }
 
-/// Whether AVX2 still pays; true on a CPU without it, with a loud line.
+/// True if AVX2 still pays, and on a CPU without it, with a loud line.
 pub(crate) fn check(rounds: usize) -> Result<bool, Box<dyn std::error::Error>> {
     if simd::detect() < Isa::Avx2 {
         println!("SKIPPED: this CPU has no AVX2, so the hot loops were not checked");

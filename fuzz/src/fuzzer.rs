@@ -11,11 +11,11 @@ use tempfile::TempDir;
 
 /// A target ready to be fed.
 pub struct Fuzzer {
-    /// What is fuzzed.
+    /// The target that is fuzzed.
     pub target: &'static Target,
     corpus: Corpus,
     reader: Reader,
-    /// Where readers of files find theirs; removed when done.
+    /// The folder of the readers of files; removed when done.
     _scratch: TempDir,
 }
 
@@ -41,13 +41,13 @@ impl Fuzzer {
         mutated(&self.corpus, &mut Xoshiro256PlusPlus::seed_from_u64(mixed))
     }
 
-    /// How many inputs are valid.
+    /// The number of valid inputs.
     #[must_use]
     pub fn valid(&self) -> u64 {
         self.corpus.valid.len() as u64
     }
 
-    /// What the reader does with `input`.
+    /// The verdict on the reader's answer to `input`.
     #[must_use]
     pub fn judge(&self, input: &[u8]) -> Verdict {
         judge(self.target.name, &self.target.bounds, input, &self.reader)

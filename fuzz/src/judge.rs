@@ -19,7 +19,7 @@ pub type Answer = Result<(), String>;
 /// Reads an input as the program would, and uses what it has read.
 pub type Reader = Box<dyn Fn(&[u8]) -> Answer>;
 
-/// What a reader may take.
+/// The bounds on a reader's time and memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
     /// Seconds of all processors.
@@ -35,7 +35,7 @@ pub struct Bounds {
 /// Some megabytes, some bytes for each byte of input, a second.
 pub const SMALL: Bounds = Bounds { seconds: 1.0, bytes: 4 << 20, per_byte: 64, hang: 60.0 };
 
-/// What is wrong with a reader.
+/// A fault of a reader.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Find {
     /// It panicked, even if somebody caught it: where, and what it said.
@@ -56,12 +56,12 @@ impl fmt::Display for Find {
     }
 }
 
-/// What came of an input.
+/// The verdict on an input.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// Whether it was accepted, or why not; none if the reader did not return.
+    /// The reader's answer: accepted, or why not; none if the reader did not return.
     pub answer: Option<Answer>,
-    /// What is wrong.
+    /// The faults found.
     pub finds: Vec<Find>,
     /// Seconds of all processors.
     pub seconds: f64,
@@ -69,7 +69,7 @@ pub struct Verdict {
     pub held: usize,
 }
 
-/// What `reader` does with `input`. One input at a time in a process, since memory and time are the process's.
+/// The verdict on `reader` with `input`. One input at a time in a process, since memory and time are the process's.
 #[must_use]
 pub fn judge(name: &str, bounds: &Bounds, input: &[u8], reader: &Reader) -> Verdict {
     static ONE: Mutex<()> = Mutex::new(());
@@ -97,7 +97,7 @@ fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Where and what: of each panic while an input is judged.
+/// The place and message of each panic while an input is judged.
 static PANICS: Mutex<Vec<(String, String)>> = Mutex::new(Vec::new());
 static JUDGING: AtomicBool = AtomicBool::new(false);
 

@@ -26,6 +26,6 @@ pub use worker::{kind_of_refusal, work};
 pub struct Effort {
     /// Of the inputs.
     pub seed: u64,
-    /// How long to go on.
+    /// The duration of the run.
     pub seconds: f64,
 }

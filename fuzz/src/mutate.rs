@@ -11,7 +11,7 @@ mod tree;
 /// The longest input, in bytes.
 const LONGEST: usize = 1 << 18;
 
-/// What inputs are made of.
+/// The material that inputs are made of.
 pub struct Corpus {
     /// Inputs that are as they should be.
     pub valid: Vec<Vec<u8>>,
@@ -26,7 +26,7 @@ pub struct Corpus {
 }
 
 impl Corpus {
-    /// What `target` begins with.
+    /// The corpus that `target` begins with.
     ///
     /// # Panics
     /// If there are none, or JSON is not.

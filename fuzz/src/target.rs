@@ -16,9 +16,9 @@ mod volume;
 
 /// A reader of bytes from strangers.
 pub struct Target {
-    /// How it is called.
+    /// Its name.
     pub name: &'static str,
-    /// What it reads, in a line.
+    /// The input that it reads, in a line.
     pub about: &'static str,
     /// Small valid inputs of every kind.
     pub seeds: fn() -> Vec<Vec<u8>>,
@@ -32,7 +32,7 @@ pub struct Target {
     pub repair: fn(&mut Vec<u8>),
     /// Makes the reader; it may keep files in the folder.
     pub reader: fn(&Path) -> Reader,
-    /// What it may take.
+    /// The bounds that it must keep to.
     pub bounds: Bounds,
     /// Inputs of a test that runs each time.
     pub quick: u64,

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 /// Finds of one kind that are shown.
 const SHOWN: u64 = 3;
 
-/// How far a worker has come; kept in a file, so that it is known after any end.
+/// The progress of a worker; kept in a file, so that it is known after any end.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
     /// The input that is being read.

@@ -33,7 +33,7 @@ pub const NEEDING: &[(&str, &str, &[Tool])] = &[
 ];
 
 impl Tool {
-    /// Whether it runs.
+    /// True if it runs.
     #[must_use]
     pub fn is_there(self) -> bool {
         let (program, args): (_, &[&str]) = match self {
@@ -62,7 +62,7 @@ pub fn python() -> String {
     std::env::var("FREEPATH_PYTHON").unwrap_or_else(|_| "python3".into())
 }
 
-/// Whether the test of this name can run; if not, it says why.
+/// True if the test of this name can run; if not, it says why.
 ///
 /// # Panics
 /// If the list does not have the test.

@@ -17,7 +17,7 @@ fn medium() -> Sinusoid {
 /// A distance of the medium's law, changed.
 struct Ends {
     medium: Sinusoid,
-    /// Where the ray starts.
+    /// The start of the ray.
     start: f64,
     change: fn(f64, &mut dyn Rng) -> f64,
 }

@@ -32,7 +32,7 @@ fn p_values(law: &Law, rate: f64, factor: f64, draws: usize, runs: u64) -> Vec<[
     found
 }
 
-/// How many of them reject, test by test.
+/// The number of them that reject, test by test.
 fn rejections(law: &Law, rate: f64, factor: f64, draws: usize, runs: u64) -> [u64; 3] {
     let all = p_values(law, rate, factor, draws, runs);
     std::array::from_fn(|test| all.iter().filter(|p| !(p[test] > LEVEL)).count() as u64)

@@ -43,7 +43,7 @@ fn chromatic(sigma: &str, length: f64) -> String {
     format!(r#"{{ "title": "extreme", "medium": {medium}, "subjects": [{CHROMATIC}] }}"#)
 }
 
-/// What is wrong with the judgement of a right subject.
+/// The fault in the judgement of a right subject, if any.
 fn complaint(subject: &Subject, seed: u64) -> Option<String> {
     let judgement = judgement(subject, seed);
     let evidence = || judgement.stages.iter().flat_map(|stage| &stage.evidence);

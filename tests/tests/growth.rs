@@ -128,7 +128,7 @@ fn what_has_no_interval_ends_with_the_budget_and_says_why() {
     assert!(only(&results).reasons.contains(&Reason::RareEvent), "{:?}", only(&results).notes);
 }
 
-/// What growth finds at the end of its budget is confirmed by fresh draws all the same: then it is a rejection.
+/// A finding of growth at the end of its budget is confirmed by fresh draws all the same: then it is a rejection.
 #[test]
 fn a_rejection_at_the_end_of_the_budget_is_one() {
     let results = run(2e-3, 1 << 22, WRONG[1].0);

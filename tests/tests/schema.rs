@@ -62,7 +62,7 @@ fn every_definition_has_words_and_refuses_unknown_fields() {
     }
 }
 
-/// What of `value` the schema does not know: keys that no definition on the way has.
+/// The keys of `value` that the schema does not know: those that no definition on the way has.
 fn unknown(schema: &Value, node: &Value, value: &Value) -> Vec<String> {
     let node = match node["$ref"].as_str().and_then(|to| to.strip_prefix('#')) {
         Some(to) => schema.pointer(to).unwrap_or(&Value::Null),

@@ -79,7 +79,7 @@ fn a_bias_as_large_as_the_bound_is_seldom_called_smaller() {
     }
 }
 
-/// What keeps its level must also find what is wrong.
+/// A sequence that keeps its level must also find what is wrong.
 #[test]
 fn a_wrong_mean_is_excluded_on_nearly_every_path() {
     let enough = libm::log(1.0 / LEVEL);

@@ -60,7 +60,7 @@ impl Agreement {
         setting::of(self, truth)
     }
 
-    /// Whether distances have the same law there, or only the same share of escapes.
+    /// True if distances have the same law there, not only the same share of escapes.
     fn keeps_the_law(self) -> bool {
         match self {
             Self::Majorant | Self::Segments | Self::Grid => true,
@@ -77,11 +77,11 @@ pub struct Variant<'a> {
     pub experiment: Box<dyn Experiment + 'a>,
 }
 
-/// What an agreement found.
+/// The findings of an agreement.
 pub struct Compared {
     /// Of the two-sample test.
     pub evidence: Evidence,
-    /// What contradicts a claim in the other setting.
+    /// Facts against a claim in the other setting.
     pub facts: Vec<Fact>,
 }
 

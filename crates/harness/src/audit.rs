@@ -47,13 +47,13 @@ impl<'a> Audited<'a> {
         Self { watch, ..self }
     }
 
-    /// What was recorded.
+    /// The record so far.
     #[must_use]
     pub(crate) fn record(&self) -> Audit {
         Audit { worst: self.worst.get(), ..self.record.get() }
     }
 
-    /// Whether the budget is spent.
+    /// True if the budget is spent.
     #[must_use]
     pub(crate) fn spent(&self) -> bool {
         self.record.get().lookups > self.budget

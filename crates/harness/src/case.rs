@@ -55,7 +55,7 @@ pub struct Case {
     /// The schema of this file, for editors.
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none", default)]
     pub schema: Option<String>,
-    /// What the case is about, in a line.
+    /// The topic of the case, in a line.
     pub title: String,
     /// The medium along the ray: the scene of free paths, transmittances and channels.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -69,7 +69,7 @@ pub struct Case {
     /// Rays through a voxel grid, instead of the medium's own: one row of results for each.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub rays: Vec<Ray>,
-    /// What is tested.
+    /// The subjects under test.
     #[schemars(length(min = 1))]
     pub subjects: Vec<SubjectSpec>,
     /// Draws of stage 1 (default 1,000,000), rounded up to whole blocks of 16,384.
@@ -127,9 +127,9 @@ pub struct CaseFile {
     pub path: PathBuf,
     /// The text with its places, for messages.
     pub source: Source,
-    /// What it says.
+    /// Its content.
     pub case: Case,
-    /// Whether its subject came from elsewhere, and along which ray.
+    /// The ray, if any, of a subject that came from elsewhere; none if it did not.
     checked: Option<Option<usize>>,
 }
 

@@ -28,7 +28,7 @@ pub enum Stopped {
     Cancelled,
 }
 
-/// What a run tells while it goes on, and whether it is to stop.
+/// The progress of a run, and the flag that stops it.
 pub struct Watch<'a> {
     /// Set to cancel.
     pub cancelled: &'a AtomicBool,
@@ -45,7 +45,7 @@ impl Watch<'_> {
 /// Everything that was folded from a range of blocks.
 #[derive(Clone)]
 pub struct Collected {
-    /// What the folds have tallied.
+    /// The tallies of the folds.
     pub tallies: Tallies,
     /// Seconds of sampling, summed over threads.
     pub seconds: f64,

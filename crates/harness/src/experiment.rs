@@ -18,11 +18,11 @@ pub use functional::Functional;
 pub use probe::Probe;
 pub use terms::{DRAWS, Route, Terms};
 
-/// What a block is drawn with.
+/// The context in which a block is drawn.
 pub struct DrawContext<'a> {
     /// Its random numbers.
     pub streams: &'a Streams,
-    /// Which method is driven.
+    /// The method that is driven.
     pub route: Route,
     /// Faults laid over it.
     pub faults: &'a [Fault],
@@ -46,12 +46,12 @@ impl Told for RefCell<&mut dyn LookupWatch> {
     }
 }
 
-/// What drawing a block left behind.
+/// The look-ups of a block, once it is drawn.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Looked {
     /// Its look-ups.
     pub audit: Audit,
-    /// Whether there were more than the budget.
+    /// True if there were more than the budget.
     pub spent: bool,
 }
 
@@ -60,15 +60,15 @@ pub struct Looked {
 pub struct Plan<'a> {
     /// The claims that stand.
     pub claims: Claims<'a>,
-    /// What they need beside the subject's own draws.
+    /// The draws that they need beside the subject's own.
     pub beside: Vec<Beside<'a>>,
 }
 
 /// Draws that a claim needs beside the subject's own: one block for each stage.
 pub struct Beside<'a> {
-    /// What makes them.
+    /// The experiment that makes them.
     pub experiment: Box<dyn Experiment + 'a>,
-    /// What is tallied of them.
+    /// The folds that tally them.
     pub folds: Folds,
     /// Sets their streams apart from the subject's own.
     pub salt: u64,
@@ -79,7 +79,7 @@ pub trait Experiment: Send + Sync {
     /// The name of its kind.
     fn kind(&self) -> &'static str;
 
-    /// What is wrong if it fails, in words.
+    /// The meaning of a failure, in words.
     fn wrong(&self) -> &'static str;
 
     /// The columns that it fills.
@@ -88,13 +88,13 @@ pub trait Experiment: Send + Sync {
     /// Fills a block.
     fn draw(&self, context: &DrawContext, out: &mut Draws) -> Looked;
 
-    /// What is claimed of its draws.
+    /// The claims on its draws.
     fn plan(&self, terms: &Terms) -> Plan<'_>;
 
-    /// Which of its methods can be driven.
+    /// The methods of it that can be driven.
     fn routes(&self) -> &'static [Route];
 
-    /// Where its draws come from, if they are made elsewhere.
+    /// The source of its draws, if they are made elsewhere.
     fn external(&self) -> Option<&dyn SampleSource>;
 
     /// The length of the ray; 1 without a ray.
@@ -103,16 +103,16 @@ pub trait Experiment: Send + Sync {
     /// The channels, and how they are drawn, for faults of their weights; none where there is one extinction.
     fn mixture(&self) -> Option<ChannelMixture<'_>>;
 
-    /// What contradicts the scene without noise.
+    /// Facts against the scene, found without noise.
     fn scene_facts(&self) -> Vec<Fact>;
 
-    /// What contradicts the subject without noise.
+    /// Facts against the subject, found without noise.
     fn facts(&self, probe: &Probe) -> Vec<Fact>;
 
     /// Hands `run` the same subject in its own scene made so thick that nobody escapes, if there is one.
     fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment));
 
-    /// What the microscope takes the mean of.
+    /// The functional whose mean the microscope takes.
     ///
     /// # Errors
     /// Why there is no one mean, in words.

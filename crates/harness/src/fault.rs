@@ -62,7 +62,7 @@ macro_rules! faults {
                 match self { $(Self::$Type(_) => $layer::LAYER,)* }
             }
 
-            /// What it does there.
+            /// Its injection.
             pub(crate) fn injection(&self) -> &dyn Injection {
                 match self { $(Self::$Type(fault) => fault,)* }
             }
@@ -121,7 +121,7 @@ faults! {
     draws::compensated_roulette::CompensatedRoulette: "harmless: a roulette whose survivors are raised",
 }
 
-/// What a case expects of a subject.
+/// The verdict that a case expects of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Expectation {

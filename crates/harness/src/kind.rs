@@ -49,24 +49,24 @@ pub trait KindOf {
     type Kind: Kind;
 }
 
-/// What a case names under one key: one file, and one line in the list.
+/// A kind of subjects, which a case names under one key: one file, and one line in the list.
 pub trait Kind: Sized + Send + Sync + 'static {
     /// Its key in a case.
     const NAME: &'static str;
-    /// What a list of its samplers is called.
+    /// The heading of a list of its samplers.
     const HEADING: &'static str;
-    /// What a case should have under its key, in words.
+    /// The value that a case should have under its key, in words.
     const EXPECTED: &'static str;
-    /// What is wrong if a sampler fails, in words.
+    /// The meaning of a sampler's failure, in words.
     const WRONG: &'static str;
     /// The name of the harness's own source, if it has one.
     const CONTROL: Option<&'static str>;
-    /// Whether a row is an estimate.
+    /// True if a row is an estimate.
     const ESTIMATES: bool;
-    /// Whether draws may grow towards a bound on the bias: there is one mean, or one law.
+    /// True if draws may grow towards a bound on the bias: there is one mean, or one law.
     const GROWS: bool;
 
-    /// What is under test.
+    /// The sampler under test.
     type Sampler<'a>: ?Sized + Send + Sync;
     /// The names of samplers.
     type List: List<Target = Self::Sampler<'static>>;
@@ -74,7 +74,7 @@ pub trait Kind: Sized + Send + Sync + 'static {
     type Control: Body;
     /// A file of samples.
     type Samples: SamplesSpec;
-    /// Where the truth lives, and what a sampler sees of it.
+    /// The scene that holds the truth, and all that a sampler sees of it.
     type Scene<'a>: Copy + Send + Sync;
     /// The same, owned by a subject of a case.
     type Placed: Send + Sync;
@@ -88,7 +88,7 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// If the case has another scene, or the majorant cannot be had.
     fn place(scene: &dyn Scene, majorant: Option<&MajorantChoice>) -> Result<Self::Placed, Refusal>;
 
-    /// What is known of it elsewhere.
+    /// The outline of it for use elsewhere.
     fn outline(placed: &Self::Placed) -> Outline<'_>;
 
     /// The same as the sampler sees it, behind the faults that concern majorants. Provided: as it is.
@@ -124,7 +124,7 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// The columns that a sampler fills, or the harness's own source.
     fn row(scene: Self::Scene<'_>, sampler: Option<&Self::Sampler<'_>>) -> Row;
 
-    /// What a row of a program says: all of its columns come in their order.
+    /// The format of a program's row: all of its columns come in their order.
     fn program_rows(outline: &Outline) -> RowFormat;
 
     /// Fills a block by a sampler, behind the audit and the faults.
@@ -134,7 +134,7 @@ pub trait Kind: Sized + Send + Sync + 'static {
     /// Fills a block from the truth: the positive control.
     fn control(scene: Self::Scene<'_>, streams: &Streams, out: &mut Draws);
 
-    /// What is claimed, in the order of the tests in the results. Claims that the terms withdraw are left out by the caller.
+    /// The claims, in the order of the tests in the results. Those that the terms withdraw are left out by the caller.
     fn plan<'a>(scene: Self::Scene<'a>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a>;
 
     /// The length of the ray. Provided: 1, where there is no ray.
@@ -147,15 +147,15 @@ pub trait Kind: Sized + Send + Sync + 'static {
         None
     }
 
-    /// What a sampler states that it does inside.
+    /// The capabilities that a sampler states.
     fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability>;
 
-    /// What contradicts the scene without noise. Provided: nothing is looked for.
+    /// Facts against the scene, found without noise. Provided: none is looked for.
     fn scene_facts(_scene: Self::Scene<'_>) -> Vec<Fact> {
         Vec::new()
     }
 
-    /// What contradicts a sampler without noise, beside what holds for every kind. Provided: nothing is looked for.
+    /// Facts against a sampler, found without noise, beside those of every kind. Provided: none is looked for.
     fn facts(_scene: Self::Scene<'_>, _source: &Source<'_, Self>, _probe: &Probe) -> Vec<Fact> {
         Vec::new()
     }
@@ -170,7 +170,7 @@ pub trait Kind: Sized + Send + Sync + 'static {
     ) {
     }
 
-    /// What the microscope takes the mean of.
+    /// The functional whose mean the microscope takes.
     ///
     /// # Errors
     /// Why there is no one mean, in words.

@@ -3,7 +3,7 @@
 use crate::program::Program;
 use crate::samples::{SampleFile, SampleSource};
 
-/// Where the draws of a subject come from, if it does not make them here.
+/// The origin of the draws of a subject that does not make them here.
 pub enum Origin {
     /// An open file of samples, and what it says.
     File(SampleFile),
@@ -21,7 +21,7 @@ impl Origin {
         }
     }
 
-    /// What a program has said on standard error.
+    /// A program's output on standard error so far.
     #[must_use]
     pub(crate) fn log(&self) -> String {
         match self {
@@ -36,13 +36,13 @@ impl Origin {
         self.file().map_or(f64::MANTISSA_DIGITS, SampleFile::resolution_bits)
     }
 
-    /// How far every claim may be off.
+    /// The most by which any claim may be off.
     #[must_use]
     pub(crate) fn tolerance(&self) -> f64 {
         self.file().map_or(0.0, SampleFile::tolerance)
     }
 
-    /// What is read.
+    /// The source that is read.
     #[must_use]
     pub(crate) fn source(&self) -> &dyn SampleSource {
         match self {

@@ -45,7 +45,7 @@ pub(crate) use request::Setting;
 pub struct Program {
     /// The program and its arguments; not empty.
     argv: Vec<String>,
-    /// Where it runs.
+    /// The folder that it runs in.
     folder: PathBuf,
     idle: Duration,
     format: RowFormat,
@@ -75,7 +75,7 @@ impl Program {
         Ok(Self { argv, folder, idle, format, tolerance: *tolerance, request, log, _table: table })
     }
 
-    /// What it has written to standard error so far, in all its starts, up to 64 KiB.
+    /// Its output on standard error so far, in all its starts, up to 64 KiB.
     #[must_use]
     pub(crate) fn log(&self) -> String {
         self.log.text()

@@ -37,7 +37,7 @@ pub(crate) struct Comparison {
 }
 
 impl Comparison {
-    /// Whether the better one may be called so.
+    /// True if the better one may be called so.
     #[must_use]
     pub(crate) fn decided(&self) -> bool {
         self.p_adjusted <= RANKING_LEVEL

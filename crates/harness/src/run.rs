@@ -26,7 +26,7 @@ pub use media::medium_result;
 pub use outcome::{Outcome, exit_code};
 pub use subjects::{id, quoted};
 
-/// What a run needs to know beside its cases.
+/// The settings of a run beside its cases.
 pub struct Options<'a> {
     /// The seed of all streams.
     pub seed: u64,
@@ -38,7 +38,7 @@ pub struct Options<'a> {
     pub repro: String,
 }
 
-/// How a run goes on.
+/// The progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
     /// So many more draws are to come: of stage 1 first, then of each doubling, and of stage 2.
@@ -63,14 +63,14 @@ pub(crate) struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Whether there is a second stage: for a suspect, and where its draws are made already.
+    /// True if there is a second stage: for a suspect, and where its draws are made already.
     fn goes_on(&self) -> bool {
         let read = self.first.collected.is_some() && self.subject.finished();
         read || suspect(&self.first.judged)
     }
 }
 
-/// What stage 1 gave.
+/// The results of stage 1.
 pub(crate) struct Stage1 {
     pub(crate) judged: Judged,
     collected: Option<Collected>,

@@ -12,7 +12,7 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-/// What a block left behind beside its draws.
+/// The record of a block beside its draws.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BlockRecord {
     /// Its look-ups.

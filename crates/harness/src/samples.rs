@@ -23,13 +23,13 @@ pub struct Wanted<'a> {
     pub seed: u64,
     /// The subject's part of every key.
     pub subject: u64,
-    /// Which blocks: those of stage 1 begin with 0, and no two stages share one.
+    /// The blocks: those of stage 1 begin with 0, and no two stages share one.
     pub blocks: Range<u64>,
     /// Set to cancel.
     pub cancelled: &'a AtomicBool,
 }
 
-/// Where draws come from that no subject of this process makes. Nothing is known of their look-ups.
+/// A source of draws that no subject of this process makes. Nothing is known of their look-ups.
 pub trait SampleSource: Send + Sync {
     /// The rows of `wanted.blocks` from the first on.
     ///
@@ -40,11 +40,11 @@ pub trait SampleSource: Send + Sync {
     /// The columns of its rows.
     fn row(&self) -> Row;
 
-    /// Whether every draw is made already: then both stages are read, whatever the first one gives, so that all draws are
-    /// judged.
+    /// True if every draw is made already: then both stages are read, whatever the first one gives, so that all draws
+    /// are judged.
     fn finished(&self) -> bool;
 
-    /// What a few draws tell before any stage, without statistics. Provided: nothing.
+    /// Facts from a few draws before any stage, without statistics. Provided: none.
     ///
     /// # Errors
     /// Why there are none, in words.

@@ -84,7 +84,7 @@ scenes! {
 
 /// One extinction of a scene.
 pub struct View<'a> {
-    /// What comes before its numbers where there are several, such as `channel 0: `.
+    /// The words before its numbers where there are several, such as `channel 0: `.
     pub label: String,
     /// The extinction.
     pub medium: &'a dyn Medium,

@@ -50,7 +50,7 @@ Gives non_finite, out_of_support or subject_error. Some 3,000 draws for each met
 /// Most look-ups of one method: a subject that makes more for a draw meets fewer scripts, the first positions first.
 const MOST_LOOKUPS: u64 = 1_000_000;
 
-/// What the ends of [0, 1) bring out in `subject`: at most one fact for each method and reason.
+/// Facts that the ends of [0, 1) bring out in `subject`: at most one for each method and reason.
 #[must_use]
 pub(crate) fn scripted(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
     let routes = if subject.one_by_one() { &[Route::Scalar] } else { subject.experiment.routes() };

@@ -22,7 +22,7 @@ pub use record::seed_of;
 /// Runs whose p-values are held at a time.
 const WAVE: u64 = 64;
 
-/// What a soak needs to know beside its cases.
+/// The settings of a soak beside its cases.
 pub struct Options<'a> {
     /// The seed from which each run has its own.
     pub seed: u64,

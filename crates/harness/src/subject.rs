@@ -14,7 +14,7 @@ pub(crate) const BUDGET_PER_DRAW: u64 = 2_000_000;
 /// A subject in a scene.
 #[derive(Clone)]
 pub struct Subject<'a> {
-    /// What makes the draws, and where.
+    /// The experiment: what makes the draws, and where.
     pub experiment: &'a dyn Experiment,
     /// The subject's part of every key.
     pub key: u64,
@@ -24,9 +24,9 @@ pub struct Subject<'a> {
     pub rows: usize,
     /// Draws at which growth ends.
     pub budget: u64,
-    /// What growth aims at.
+    /// The bound that growth aims at.
     pub bias_bound: Option<BiasBound>,
-    /// How far every claim may be off.
+    /// The most by which any claim may be off.
     pub tolerance: f64,
     /// Bits of its uniforms.
     pub bits: u32,
@@ -36,7 +36,7 @@ pub struct Subject<'a> {
     pub faults: &'a [Fault],
     /// Claims withdrawn.
     pub without: &'a [Withdrawal],
-    /// Which method is driven.
+    /// The method that is driven.
     pub route: Route,
 }
 
@@ -60,13 +60,13 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Whether the scalar method is driven: by choice, or since a fault asks for it.
+    /// True if the scalar method is driven: by choice, or since a fault asks for it.
     #[must_use]
     pub(crate) fn one_by_one(&self) -> bool {
         self.route == Route::Scalar || Fault::need_scalar(self.faults)
     }
 
-    /// How far its claims go.
+    /// The terms of its claims.
     #[must_use]
     pub(crate) fn terms(&self) -> Terms<'a> {
         Terms {
@@ -81,13 +81,13 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// What is claimed of it.
+    /// The claims on it.
     #[must_use]
     pub fn plan(&self) -> Plan<'a> {
         self.experiment.plan(&self.terms())
     }
 
-    /// What a method that is biased by design should be found to be: unsure if it depends on where growth stops.
+    /// The finding that a method biased by design should give: unsure if it depends on where growth stops.
     #[must_use]
     pub fn design(&self, plan: &Plan) -> Design {
         let first = plan.claims.design(self.draws);
@@ -95,7 +95,7 @@ impl<'a> Subject<'a> {
         Design::while_growing(first, last)
     }
 
-    /// Whether every draw is made already: then the second stage is read, whatever the first gives.
+    /// True if every draw is made already: then the second stage is read, whatever the first gives.
     #[must_use]
     pub(crate) fn finished(&self) -> bool {
         self.experiment.external().is_some_and(crate::samples::SampleSource::finished)

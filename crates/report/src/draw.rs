@@ -30,7 +30,7 @@ pub(crate) const SIZE: f64 = 12.5;
 /// Size of small text: ticks and keys.
 pub(crate) const SMALL: f64 = 11.5;
 
-/// How a line is drawn.
+/// The stroke of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stroke {
     pub(crate) ink: Ink,
@@ -75,7 +75,7 @@ impl Mark {
 /// Marker shapes in the order of [`SERIES`].
 pub(crate) const MARKS: [Mark; 5] = [Mark::Circle, Mark::Square, Mark::Diamond, Mark::Up, Mark::Down];
 
-/// Where a text lies from its point.
+/// The side of its point on which a text lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Align {
     Left,
@@ -123,12 +123,12 @@ pub(crate) enum Shape {
 pub(crate) struct Picture {
     pub(crate) width: f64,
     pub(crate) height: f64,
-    /// What it shows, in one sentence: read out in place of the picture.
+    /// Its content, in one sentence: read out in place of the picture.
     pub(crate) title: String,
     pub(crate) shapes: Vec<Shape>,
     /// Its panels, for the values under the pointer.
     pub(crate) frames: Vec<Frame>,
-    /// What the lines in each ink are, for the values under the pointer.
+    /// The names of the lines in each ink, for the values under the pointer.
     pub(crate) names: Vec<(Ink, String)>,
 }
 

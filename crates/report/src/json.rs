@@ -19,7 +19,7 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
     String::from_utf8(bytes).map_err(|why| failed(&why))
 }
 
-/// How deep lists and objects are cut into lines: results, one result, its fields.
+/// The depth to which lists and objects are cut into lines: results, one result, its fields.
 const DEEPEST: usize = 3;
 
 /// A line for each value down to [`DEEPEST`], and for each object in a list one deeper.

@@ -33,7 +33,7 @@ pub use side_files::SideFiles;
 use freepath_results::{MediumResult, Results, Timings};
 use std::path::Path;
 
-/// What a report consists of.
+/// The parts of a report.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Write PNG files, at twice the density of a screen.

@@ -52,7 +52,7 @@ struct Page {
     rows: Vec<Row>,
     cases: Vec<CaseView>,
     readings: Vec<Reading>,
-    /// Which files lie beside the page.
+    /// The kinds of files that lie beside the page.
     png: bool,
     svg: bool,
 }

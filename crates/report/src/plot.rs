@@ -28,9 +28,9 @@ pub(crate) struct Figure {
     /// Ends the names of its files.
     pub(crate) name: &'static str,
     pub(crate) picture: Picture,
-    /// What it is.
+    /// Its title.
     pub(crate) heading: String,
-    /// What it shows and how to read it.
+    /// Its content, and how to read it.
     pub(crate) words: String,
 }
 

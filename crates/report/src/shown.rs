@@ -9,10 +9,10 @@ pub(crate) fn at_most<T>(items: &[T], most: usize, odd: impl Fn(&T) -> bool) -> 
     kept
 }
 
-/// What a table shows of a list: all that is odd, above everything else, and as much of the rest as has room.
+/// The part of a list that a table shows: all that is odd, above everything else, and as much of the rest as has room.
 pub(crate) struct Shown<'a, T> {
     pub(crate) items: Vec<&'a T>,
-    /// How many are left out, none of them odd.
+    /// The number left out, none of them odd.
     pub(crate) left_out: usize,
 }
 

@@ -30,7 +30,7 @@ pub(crate) struct Subject<'a> {
     pub(crate) result: &'a SubjectResult,
     /// Seconds for one draw, if timed.
     pub(crate) seconds: Option<f64>,
-    /// What it wrote to standard error, if it is a program.
+    /// Its output on standard error, if it is a program.
     pub(crate) log: &'a str,
     /// Index into [`Site::cases`].
     pub(crate) case: usize,
@@ -93,24 +93,24 @@ impl<'a> Site<'a> {
         self.subjects.iter().find(|subject| subject.result.id == id)
     }
 
-    /// Where a kind stands among those that the results list: behind them all if it is not among them.
+    /// The rank of a kind among those that the results list: behind them all if it is not among them.
     pub(crate) fn rank_of_kind(&self, kind: &str) -> usize {
         let kinds = &self.results.kinds;
         kinds.iter().position(|listed| listed.name == kind).unwrap_or(kinds.len())
     }
 
-    /// What the results call the subjects of a kind, or else its name in words.
+    /// The heading of the subjects of a kind in the results, or else its name in words.
     pub(crate) fn heading_of_kind(&self, kind: &str) -> String {
         let listed = self.results.kinds.iter().find(|listed| listed.name == kind);
         listed.map_or_else(|| words(kind), |listed| listed.heading.clone())
     }
 
-    /// How many subjects are as expected and not shown.
+    /// The number of subjects that are as expected and not shown.
     pub(crate) fn left_out(&self) -> usize {
         self.results.results.len() - self.subjects.len() - self.beyond.len()
     }
 
-    /// How many media are not shown, no shown subject having met them.
+    /// The number of media not shown, no shown subject having met them.
     pub(crate) fn media_left_out(&self) -> usize {
         self.results.media.len() - self.cases.iter().filter(|case| case.medium.is_some()).count()
     }
@@ -135,7 +135,7 @@ pub(crate) fn title(medium: &MediumResult) -> String {
     format!("{}{ray}", clean(&medium.case, 200))
 }
 
-/// Where among the cases a subject belongs; the first whose medium the results do not hold opens one more.
+/// The index of a subject's case; the first whose medium the results do not hold opens one more.
 fn home(cases: &mut Vec<Case>, result: &SubjectResult, media: usize, slugs: &mut Slugs) -> usize {
     let number = if result.medium < media { result.medium + 1 } else { media + 1 };
     cases.binary_search_by_key(&number, |case| case.number).unwrap_or_else(|at| {
@@ -145,7 +145,7 @@ fn home(cases: &mut Vec<Case>, result: &SubjectResult, media: usize, slugs: &mut
     })
 }
 
-/// What is not as expected and has no section.
+/// The subjects that are not as expected and have no section.
 fn beyond<'a>(results: &'a Results, chosen: &[usize]) -> Vec<&'a SubjectResult> {
     let chosen: HashSet<usize> = chosen.iter().copied().collect();
     let others = results.results.iter().enumerate().filter(|(i, _)| !chosen.contains(i));

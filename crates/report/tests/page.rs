@@ -6,7 +6,7 @@ use freepath_report::{Options, SideFiles, html, json, run_id};
 use freepath_results::Results;
 use std::collections::HashSet;
 
-/// What follows `before` up to the next quote, at every place.
+/// The text behind `before` up to the next quote, at every place.
 fn quoted<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
     page.split(before).skip(1).filter_map(|rest| rest.split('"').next()).collect()
 }

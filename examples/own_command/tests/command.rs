@@ -27,12 +27,12 @@ fn own_command(args: &[&str]) -> (i32, String, String) {
     (done.status.code().unwrap(), text(done.stdout), text(done.stderr))
 }
 
-/// What is said of a case with this free-path subject in line 5.
+/// The message on a case with this free-path subject in line 5.
 fn said_of(name: &str, subject: &str) -> String {
     said_of_fields(name, &format!("\"free_path\": {subject}"))
 }
 
-/// What is said of a case with a subject of these fields in line 5.
+/// The message on a case with a subject of these fields in line 5.
 fn said_of_fields(name: &str, fields: &str) -> String {
     let folder = folder(name);
     let case = folder.join("case.json");

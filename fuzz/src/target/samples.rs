@@ -84,7 +84,7 @@ pub(super) const STREAM: Target = Target {
 const WORDS: &[&str] =
     &[",", "\n", "\r\n", "\"", "#", "t", "event", "w0", "w1", "w2", "scatter", "surface", "inf", "nan", "-"];
 
-/// What may be asked of a stream.
+/// The numbers of draws that may be asked of a stream.
 const DRAWS: [u64; 6] = [1, 3, 2, 100, 20_000, 1_000_000_000_000];
 
 const TABLES: [&str; 6] = [
@@ -124,7 +124,7 @@ fn streams() -> Vec<Vec<u8>> {
     of(0, npy()).chain([cut_short]).chain(of(1, csv)).chain(of(2, txt)).chain(of(3, (F64.seeds)())).collect()
 }
 
-/// What one may ask of a file.
+/// The requests that one may make of a file.
 fn requests() -> [Request; 4] {
     let of = |escapes| EscapeRule { length: 2.0, escapes };
     let place = |column| Place::stated(Some(column));

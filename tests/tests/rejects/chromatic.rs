@@ -42,7 +42,7 @@ pub(crate) fn of_weights(change: fn(f64, f64) -> f64, pdf: f64) -> Judgement {
     judgement(&Subject { draws: 400_000, ..subject }, 5)
 }
 
-/// Which eighth of the ray.
+/// The eighth of the ray that holds `t`.
 fn bin(t: f64) -> usize {
     (8.0 * t / LENGTH) as usize
 }

@@ -43,7 +43,7 @@ fn every_test_rejects_a_mutant() {
     assert!(unshown.is_empty(), "no mutant for {unshown:?}");
 }
 
-/// What one test alone can see: every other passes, and without it so does the mutant.
+/// Mutants that one test alone can see: every other passes, and without it so does the mutant.
 #[test]
 fn joint_laws_see_what_the_law_of_t_hides() {
     let folded = of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000);

@@ -41,7 +41,7 @@ struct Args {
     only: String,
 }
 
-/// How hard to measure.
+/// The replicates to measure with, and their seed.
 #[derive(Clone, Copy)]
 pub(crate) struct Effort {
     pub(crate) replicates: u64,

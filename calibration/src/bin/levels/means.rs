@@ -9,7 +9,7 @@ use freepath_results::Reason;
 use freepath_statistics::hypothesis::{MeanClaim, mean};
 use freepath_statistics::special::{normal_quantile, student_t_two_sided};
 
-/// Which statistic a lean aims at.
+/// The statistic that a lean aims at.
 #[derive(Clone, Copy, PartialEq)]
 enum Aim {
     Student,

@@ -7,7 +7,7 @@ pub(crate) struct Row {
     pub(crate) test: &'static str,
     /// Of what draws.
     pub(crate) setting: String,
-    /// Whether the gate of the test lets it in: else the row shows why there is a gate.
+    /// True if the gate of the test lets it in: else the row shows why there is a gate.
     pub(crate) used: bool,
     /// Measured level over nominal level, and its standard error.
     pub(crate) ratios: Vec<(f64, f64)>,

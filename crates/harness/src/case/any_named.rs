@@ -22,9 +22,9 @@ pub(crate) trait AnyNamed {
     fn name(&self) -> &'static str;
     /// Name and parameters.
     fn json(&self) -> serde_json::Value;
-    /// What its sampler states that it does inside; none for a source of the harness's own.
+    /// The capabilities that its sampler states; none for a source of the harness's own.
     fn capabilities(&self) -> Option<Vec<Capability>>;
-    /// Whether its draws may grow towards a bound on the bias.
+    /// True if its draws may grow towards a bound on the bias.
     fn grows(&self) -> bool;
     /// The file that it is, if it is one.
     fn samples(&self) -> Option<&dyn AnySamples>;
@@ -40,7 +40,7 @@ pub(crate) trait AnyNamed {
 pub(crate) struct Ready {
     pub(super) experiment: Box<dyn Experiment>,
     pub(super) variants: Vec<Variant<'static>>,
-    /// Where its draws come from, if they are made elsewhere.
+    /// The origin of its draws, if they are made elsewhere.
     pub(super) source: Option<Arc<Origin>>,
 }
 
@@ -94,7 +94,7 @@ impl<K: Kind> AnyNamed for Named<K> {
 }
 
 impl<K: Kind> Named<K> {
-    /// What is run, if it is a sampler.
+    /// Its sampler, if it is one.
     fn sampler(&self) -> Option<Owned<K::Sampler<'static>>> {
         match self {
             Self::Listed(listed) => Some(Arc::new(listed.clone())),
@@ -103,7 +103,7 @@ impl<K: Kind> Named<K> {
         }
     }
 
-    /// What planted faults may be laid over.
+    /// The target that planted faults may be laid over.
     fn target<'a>(
         &self,
         own: &'a K::Placed,

@@ -19,7 +19,7 @@ pub(super) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
     std::fs::read_to_string(path).map_err(|why| CaseError::unreadable(path, why))
 }
 
-/// What of which file: the file, the channel, the layout, the grid and the voxels.
+/// The part of a file: the file, the channel, the layout, the grid and the voxels.
 type Key = (PathBuf, usize, Option<Raw>, Option<String>, Option<[[i32; 3]; 2]>);
 
 /// The volumes read so far: a file is read once for all its rays and cases.

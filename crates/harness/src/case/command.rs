@@ -29,7 +29,7 @@ pub struct Command {
     pub timeout: Option<f64>,
 }
 
-/// How far a run goes with programs.
+/// The use that a run makes of programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Commands {
     /// They are refused.

@@ -23,7 +23,7 @@ impl<K: Kind> External<K> {
         self.name
     }
 
-    /// What is run.
+    /// Its sampler.
     pub(super) fn sampler(&self) -> Owned<K::Sampler<'static>> {
         self.sampler.clone()
     }

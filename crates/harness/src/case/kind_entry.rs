@@ -3,11 +3,11 @@ use super::registry::closer;
 use crate::diagnose::{Diagnosis, Source};
 use crate::kind::Kind;
 
-/// What is known of a kind without its types.
+/// A kind without its types.
 pub struct KindEntry {
     /// Its key in a case.
     pub name: &'static str,
-    /// What a list of its samplers is called.
+    /// The heading of a list of its samplers.
     pub heading: &'static str,
     /// The names that a case may use under that key.
     pub names: fn() -> &'static [&'static str],

@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use serde_json::Value;
 
 impl SubjectSpec {
-    /// What is under test; none before the one kind is checked for.
+    /// The name under test; none before the one kind is checked for.
     pub(crate) fn named(&self) -> Option<&dyn AnyNamed> {
         self.all_named().into_iter().next()
     }

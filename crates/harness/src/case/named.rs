@@ -14,7 +14,7 @@ mod schema;
 
 pub(crate) use schema::definition;
 
-/// What a case names under the key of a kind.
+/// The value that a case names under the key of a kind.
 #[derive(Debug)]
 pub enum Named<K: Kind> {
     /// The harness's own source, from the truth.

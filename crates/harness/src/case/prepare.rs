@@ -25,11 +25,11 @@ pub struct Prepared {
     pub file: String,
     /// The case.
     pub case: Arc<Case>,
-    /// Which ray, if the case has several.
+    /// The ray, if the case has several.
     pub ray: Option<usize>,
-    /// Where the truth lives.
+    /// The scene that holds the truth.
     pub scene: Arc<dyn Scene>,
-    /// What is tested in it.
+    /// The subjects tested in it.
     pub subjects: Vec<PreparedSubject>,
 }
 
@@ -49,7 +49,7 @@ pub struct PreparedSubject {
     pub draws: u64,
     /// The other settings in which it must agree with itself.
     pub variants: Vec<Variant<'static>>,
-    /// Where its draws come from, if they are made elsewhere.
+    /// The origin of its draws, if they are made elsewhere.
     pub source: Option<Arc<Origin>>,
 }
 
@@ -59,7 +59,7 @@ impl PreparedSubject {
         1 + self.variants.len() as u64
     }
 
-    /// What is run.
+    /// The subject that is run.
     #[must_use]
     pub fn runnable<'a>(&'a self, case: &'a Case) -> Subject<'a> {
         let source = self.source.as_deref();
@@ -82,7 +82,7 @@ impl PreparedSubject {
     }
 }
 
-/// How far effort and files may go.
+/// The limits of effort and files.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limits {
     /// Draws of stage 1 instead of the case's.
@@ -91,7 +91,7 @@ pub struct Limits {
     pub effort: f64,
     /// Files outside the case's folder may be read.
     pub allow_paths: bool,
-    /// What becomes of subjects that are programs.
+    /// The use of subjects that are programs.
     pub commands: Commands,
 }
 

@@ -26,7 +26,7 @@ pub(super) fn of<K: Kind>() -> &'static [Listing<K>] {
     lists().of::<K>()
 }
 
-/// What a case needs of one list.
+/// The part of a list that a case needs.
 pub(super) struct Listing<K: Kind> {
     names: &'static [&'static str],
     /// From a name and its parameters.

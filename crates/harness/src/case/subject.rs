@@ -13,7 +13,7 @@ use freepath_statistics::claim::{BiasBound, Withdrawal};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What needs every kind: the list of entries, and a subject with a key for each.
+/// Definitions that need every kind: the list of entries, and a subject with a key for each.
 macro_rules! subjects {
     ($(#[$doc:meta] $file:ident::$Type:ident,)*) => {
         /// Every kind.
@@ -72,7 +72,7 @@ macro_rules! subjects {
         }
 
         impl SubjectSpec {
-            /// What it names, under every kind that it has: exactly one if it is to be run.
+            /// Its names, under every kind that it has: exactly one if it is to be run.
             pub(super) fn all_named(&self) -> Vec<&dyn AnyNamed> {
                 let all = [$(self.$file.as_ref().map(|named| named as &dyn AnyNamed)),*];
                 all.into_iter().flatten().collect()

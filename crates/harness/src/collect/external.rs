@@ -70,7 +70,7 @@ fn failed(why: String, watch: &Watch) -> Stopped {
     if watch.is_cancelled() { Stopped::Cancelled } else { Stopped::Subject(why) }
 }
 
-/// What a few draws tell before any stage, of a subject whose draws are made elsewhere.
+/// Facts from a few draws before any stage, of a subject whose draws are made elsewhere.
 pub(crate) fn rehearse(subject: &Subject, seed: u64, watch: &Watch) -> Result<Vec<Fact>, Stopped> {
     let Some(source) = subject.experiment.external() else { return Ok(Vec::new()) };
     let wanted = Wanted { seed, subject: subject.key, blocks: 0..0, cancelled: watch.cancelled };

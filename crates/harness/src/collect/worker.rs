@@ -6,7 +6,7 @@ use freepath_statistics::tally::Audit;
 use freepath_statistics::{Block, Scratch};
 use std::sync::{Mutex, PoisonError};
 
-/// What one block leaves.
+/// The parts that one block leaves.
 pub(super) struct BlockParts {
     /// Its number.
     pub(super) number: u64,

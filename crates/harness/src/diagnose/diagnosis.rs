@@ -29,7 +29,7 @@ struct Parts {
     excerpt: Excerpt,
 }
 
-/// What was found, and where.
+/// A mistake, and its place.
 #[derive(Debug)]
 pub(super) struct Finding {
     pub(super) span: Range<usize>,

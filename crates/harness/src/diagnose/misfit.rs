@@ -27,7 +27,7 @@ enum Cause {
     Predicate(String),
 }
 
-/// What to underline.
+/// The part to underline.
 #[derive(Debug)]
 enum Spot {
     Value,

@@ -37,7 +37,7 @@ pub(super) fn joined(path: &str, rest: &str) -> String {
     format!("{path}{dot}{rest}")
 }
 
-/// What to call the value at the end of `path`: `edges[2]`, or `the file` for the whole.
+/// The name of the value at the end of `path`: `edges[2]`, or `the file` for the whole.
 pub(super) fn last_name(path: &[Step]) -> String {
     let from = path.iter().rposition(|step| matches!(step, Step::Key(_))).unwrap_or(0);
     match path.get(from..) {

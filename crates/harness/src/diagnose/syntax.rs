@@ -66,7 +66,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Where the token stands.
+    /// The place of the token.
     fn span(&self) -> Range<usize> {
         self.scanner.token_start()..self.scanner.token_end()
     }

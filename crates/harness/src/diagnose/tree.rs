@@ -81,7 +81,7 @@ impl Node {
     }
 }
 
-/// What follows `step` in a written path, if the path begins with it.
+/// The rest of a written path behind `step`, if the path begins with it.
 fn after<'a>(path: &'a str, step: &Step) -> Option<&'a str> {
     let rest = path.strip_prefix(&step.to_string())?;
     (rest.is_empty() || rest.starts_with(['.', '['])).then_some(rest)

@@ -14,10 +14,10 @@ struct Former {
     now: &'static str,
 }
 
-/// What has another name now. A file is not read as if it had been written anew: who wrote it is to know.
+/// Names that have changed. A file is not read as if it had been written anew: who wrote it is to know.
 const FORMER: [Former; 1] = [Former { name: "innocent", now: "masks_fault" }];
 
-/// What `name` is called now, if it was renamed and stood here.
+/// The name of `name` now, if it was renamed and stood here.
 fn now<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let now = FORMER.iter().find(|former| former.name == name)?.now;
     allowed.iter().copied().find(|&each| each == now)
@@ -69,7 +69,7 @@ pub(super) fn escaped(text: &str) -> String {
     text.chars().map(escape).collect()
 }
 
-/// Whether a character has an effect but no shape: controls, line separators, marks that reorder or hide text.
+/// True if a character has an effect but no shape: controls, line separators, marks that reorder or hide text.
 pub(super) fn is_invisible(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{feff}')

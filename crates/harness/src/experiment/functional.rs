@@ -7,7 +7,7 @@ pub struct Functional {
     pub value: fn(&Draws) -> f64,
     /// The mean that is claimed.
     pub expected: f64,
-    /// What the method's own mean, by design, lies beside that.
+    /// The bias of the method's own mean, by design.
     pub declared: f64,
     /// The relative error of what is expected.
     pub relative_error: f64,

@@ -1,7 +1,7 @@
 use super::Terms;
 use freepath_draws::Draws;
 
-/// What a check without noise sees of a subject: its terms, and small blocks of its draws.
+/// The view of a subject for a check without noise: its terms, and small blocks of its draws.
 pub struct Probe<'a> {
     pub(crate) terms: Terms<'a>,
     /// The block of a number, in so many rows.
@@ -15,7 +15,7 @@ impl Probe<'_> {
         (self.block)(block, rows)
     }
 
-    /// How far the claims on the subject go.
+    /// The terms of the claims on the subject.
     #[must_use]
     pub(crate) fn terms(&self) -> Terms<'_> {
         self.terms

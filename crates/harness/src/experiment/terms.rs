@@ -5,7 +5,7 @@ use freepath_statistics::claim::{BiasBound, Withdrawal};
 /// Draws of stage 1 unless a case says otherwise.
 pub const DRAWS: u64 = 1_000_000;
 
-/// Which of a subject's methods is driven.
+/// The method of a subject that is driven.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Route {
     /// The block method: the tile engine where there is one.
@@ -15,10 +15,10 @@ pub enum Route {
     Scalar,
 }
 
-/// How far the claims on a subject go: what its case, its file or its author says of it.
+/// The terms of the claims on a subject, as its case, its file or its author states them.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms<'a> {
-    /// How far every claim may be off.
+    /// The most by which any claim may be off.
     pub tolerance: f64,
     /// Bits of its uniforms.
     pub bits: u32,
@@ -28,11 +28,11 @@ pub struct Terms<'a> {
     pub rows: usize,
     /// Draws at which growth ends.
     pub budget: u64,
-    /// What growth aims at.
+    /// The bound that growth aims at.
     pub bias_bound: Option<BiasBound>,
     /// Claims withdrawn.
     pub without: &'a [Withdrawal],
-    /// Which method is driven.
+    /// The method that is driven.
     pub route: Route,
 }
 
@@ -52,7 +52,7 @@ impl Default for Terms<'_> {
 }
 
 impl Terms<'_> {
-    /// Whether what `withdrawal` would take back still stands.
+    /// True if the claim that `withdrawal` would take back still stands.
     #[must_use]
     pub(crate) fn stands(&self, withdrawal: Withdrawal) -> bool {
         !self.without.contains(&withdrawal)

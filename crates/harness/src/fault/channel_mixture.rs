@@ -19,7 +19,7 @@ impl<'a> ChannelMixture<'a> {
         &self.channels
     }
 
-    /// How likely each channel is drawn, if the sampler claims it.
+    /// The probability of drawing each channel, if the sampler claims it.
     pub(super) fn probabilities(&self) -> Option<Vec<f64>> {
         self.sampler.claims(&self.channels).mixture
     }

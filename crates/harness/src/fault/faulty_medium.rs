@@ -32,12 +32,12 @@ impl<'a> FaultyMedium<'a> {
         self.overlays.iter().for_each(|overlay| overlay.begin());
     }
 
-    /// What becomes of a draw; none if it is drawn again.
+    /// The draw as the faults leave it; none if it is drawn again.
     pub(crate) fn finish(&self, path: FreePath) -> Option<FreePath> {
         self.overlays.iter().try_fold(path, |path, overlay| overlay.finish(path))
     }
 
-    /// What stands before the stream.
+    /// The overlays before the stream.
     pub(crate) fn overlays(&self) -> &[Box<dyn Overlay + 'a>] {
         &self.overlays
     }
@@ -64,7 +64,7 @@ impl Extinction for FaultyMedium<'_> {
 }
 
 impl Fault {
-    /// Whether any of `faults` stands between the subject and its look-ups.
+    /// True if any of `faults` stands between the subject and its look-ups.
     pub(crate) fn alters_lookups(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::LookUps | Layer::Walk | Layer::Uniforms => true,
@@ -72,7 +72,7 @@ impl Fault {
         })
     }
 
-    /// Whether any of `faults` can only be laid over one walk at a time.
+    /// True if any of `faults` can only be laid over one walk at a time.
     pub(crate) fn need_scalar(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::Walk | Layer::Uniforms => true,

@@ -2,7 +2,7 @@ use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
-/// What a fault injects in each place where one can be laid; provided: nothing.
+/// The injections of a fault in each place where one can be laid; provided: none.
 pub(crate) trait Injection: Send + Sync {
     /// Refuses a parameter out of its range.
     ///
@@ -12,7 +12,7 @@ pub(crate) trait Injection: Send + Sync {
         Ok(())
     }
 
-    /// What a sampler must do inside for the fault to be laid over it. Provided: nothing.
+    /// The capabilities that a sampler must have for the fault to be laid over it. Provided: none.
     fn needs(&self) -> Vec<Capability> {
         Vec::new()
     }
@@ -33,7 +33,7 @@ pub(crate) trait Injection: Send + Sync {
     /// Changes what the subject sees of the ray beside mu.
     fn alter_ray(&self, _ray: &mut RayView) {}
 
-    /// What stands between a block's subject and its look-ups and uniforms.
+    /// The overlay between a block's subject and its look-ups and uniforms.
     fn overlay<'a>(&'a self, _context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
         None
     }

@@ -17,7 +17,7 @@ pub(crate) struct RayView {
     pub(crate) length: f64,
     /// Majorants by segment.
     pub(crate) majorants: Majorants,
-    /// Where mu or its slope jumps.
+    /// The places where mu or its slope jumps.
     pub(crate) breaks: Vec<f64>,
 }
 
@@ -31,17 +31,17 @@ pub(crate) trait Overlay {
         stream()
     }
 
-    /// Where the subject looks up when it means to look up at `t`.
+    /// The place of the look-up that the subject means to make at `t`.
     fn place(&self, t: f64) -> f64 {
         t
     }
 
-    /// What the subject makes of mu at the place `t`.
+    /// The value that the subject takes for mu at the place `t`.
     fn answer(&self, _t: f64, mu: f64) -> f64 {
         mu
     }
 
-    /// What becomes of the draw; none if it is drawn again.
+    /// The draw as the fault leaves it; none if it is drawn again.
     fn finish(&self, path: FreePath) -> Option<FreePath> {
         Some(path)
     }

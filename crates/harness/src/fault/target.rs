@@ -6,11 +6,11 @@ use freepath_estimators::{Capability, Cells, Medium};
 pub(crate) struct Target<'a> {
     /// Its sampler's name in the case.
     pub(crate) sampler: &'a str,
-    /// What the sampler states that it does inside; none if it is a source of the harness's own.
+    /// The capabilities that the sampler states; none if it is a source of the harness's own.
     pub(crate) capabilities: Option<Vec<Capability>>,
     /// The samplers that a case can name, to say over which the fault could be laid.
     pub(crate) listed: fn() -> &'static [ListedSampler],
-    /// Whether a row is an estimate, not a distance.
+    /// True if a row is an estimate, not a distance.
     pub(crate) estimates: bool,
     /// The medium under the majorants that it should have, unless there are channels.
     pub(crate) medium: Option<&'a dyn Medium>,
@@ -23,7 +23,7 @@ pub(crate) struct Target<'a> {
 pub(crate) struct ListedSampler {
     /// Its name in its list.
     pub(crate) name: &'static str,
-    /// What it does inside, with the simplest parameters.
+    /// Its capabilities, with the simplest parameters.
     pub(crate) capabilities: Vec<Capability>,
 }
 

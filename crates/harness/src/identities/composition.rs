@@ -19,7 +19,7 @@ offset of the ray.",
     section: "identity_composition",
 };
 
-/// Where the ray is cut, as a share of its length.
+/// The places where the ray is cut, as a share of its length.
 const CUTS: [f64; 3] = [0.18, 0.41, 0.77];
 
 /// Relative error of an estimate without noise.

@@ -50,7 +50,7 @@ fn order(medium: &dyn Medium) -> Option<String> {
     Some(format!("its breaks do not increase inside the ray up to {wrong}"))
 }
 
-/// Where the ray is split: not at equal steps, which periods may hide, nor at breaks.
+/// The places where the ray is split: not at equal steps, which periods may hide, nor at breaks.
 fn splits(medium: &dyn Medium) -> Vec<f64> {
     let place = |i: usize| (i as f64 + 0.37 * (i % 3) as f64) / PARTS as f64;
     let inner = (1..PARTS).map(|i| medium.length() * place(i)).filter(|&t| t < medium.length());

@@ -34,7 +34,7 @@ const THREADS: u64 = 4;
 /// Copies by chance have at most this probability before they are a fact.
 pub(crate) const CHANCE: f64 = 1e-15;
 
-/// What the same seed twice, four threads at once and two seeds have to say, by each method.
+/// The fact that the same seed twice, four threads at once and two seeds show, by each method.
 pub(super) fn fact(subject: &Subject, seed: u64) -> Option<Fact> {
     let routes = if subject.one_by_one() { &[Route::Scalar][..] } else { &[Route::Block, Route::Scalar] };
     routes.iter().find_map(|&route| of_route(&Subject { route, ..subject.clone() }, seed))

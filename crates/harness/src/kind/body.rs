@@ -3,7 +3,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 
-/// What a case says of something by its name: its parameters.
+/// The parameters that a case gives with a name.
 pub trait Body:
     Clone + Debug + Default + PartialEq + DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static
 {

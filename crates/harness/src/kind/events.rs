@@ -9,9 +9,9 @@ use freepath_statistics::hypothesis::MeanClaim;
 
 /// The weighted mean of one event in one channel.
 pub(super) struct EventMean {
-    /// Which channel.
+    /// The channel.
     pub(super) channel: usize,
-    /// Which event.
+    /// The event.
     pub(super) event: Event,
     /// The name of its test.
     pub(super) name: String,
@@ -75,7 +75,7 @@ impl Events {
     }
 }
 
-/// What is claimed of the weights of an event.
+/// The claim on the weights of an event.
 pub(super) fn weights(
     expected: f64,
     moments: Option<[f64; 3]>,

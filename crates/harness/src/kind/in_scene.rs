@@ -5,7 +5,7 @@ use crate::samples::SampleSource;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 
-/// What makes the draws of a kind.
+/// The source of a kind's draws.
 pub enum Source<'a, K: Kind> {
     /// The harness's own source, from the truth: the positive control.
     Control,
@@ -32,7 +32,7 @@ impl<'a, K: Kind> Source<'a, K> {
         }
     }
 
-    /// Whether the rows are made elsewhere.
+    /// True if the rows are made elsewhere.
     #[must_use]
     pub(crate) fn is_external(&self) -> bool {
         match self {
@@ -44,14 +44,14 @@ impl<'a, K: Kind> Source<'a, K> {
 
 /// An experiment of one kind.
 pub struct InScene<'a, K: Kind> {
-    /// What makes the draws.
+    /// The source of the draws.
     pub source: Source<'a, K>,
     /// Where.
     pub scene: K::Scene<'a>,
 }
 
 impl<'a, K: Kind> InScene<'a, K> {
-    /// What is claimed, and still stands.
+    /// The claims that still stand.
     pub(super) fn into_plan(self, terms: &Terms) -> Plan<'a> {
         let Plan { claims, beside } = K::plan(self.scene, &self.source, terms);
         Plan { claims: claims.without(terms.without), beside }

@@ -9,7 +9,7 @@ pub enum Refusal {
     Majorant(String),
 }
 
-/// What is known of a scene where draws are made elsewhere, and where a fault is to be laid.
+/// The outline of a scene where draws are made elsewhere, and where a fault is to be laid.
 #[derive(Clone, Copy, Default)]
 pub struct Outline<'a> {
     /// The one extinction, if there is one.

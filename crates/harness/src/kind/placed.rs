@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// A sampler that is owned, whichever list it comes from.
 pub type Owned<T> = Arc<dyn Deref<Target = T> + Send + Sync>;
 
-/// What makes the draws of a subject of a case.
+/// The source of the draws of a subject of a case.
 pub enum PlacedSource<K: Kind> {
     /// The harness's own source, from the truth.
     Control,
@@ -23,7 +23,7 @@ pub enum PlacedSource<K: Kind> {
 
 /// An experiment that owns what it needs: a subject of a case.
 pub struct Placed<K: Kind> {
-    /// What makes the draws.
+    /// The source of the draws.
     pub source: PlacedSource<K>,
     /// Where.
     pub scene: K::Placed,

@@ -4,7 +4,7 @@ use super::{Body, Outline};
 use crate::samples::{Escape, RowFormat};
 use freepath_formats::Format;
 
-/// What a command line says of a file of samples.
+/// The arguments of a command line on a file of samples.
 #[derive(Clone, Debug, Default)]
 pub struct SampleArguments {
     /// Its name, or `-` for standard input.
@@ -13,9 +13,9 @@ pub struct SampleArguments {
     pub column: Option<String>,
     /// The column of weights.
     pub weight: Option<String>,
-    /// What an escape is.
+    /// The definition of an escape.
     pub escape: Escape,
-    /// How it is written.
+    /// Its format.
     pub format: Option<Format>,
 }
 
@@ -34,10 +34,10 @@ pub trait SamplesSpec: Body {
     /// Its name.
     fn file(&self) -> &str;
 
-    /// What a row says in this scene.
+    /// The format of a row in this scene.
     fn rows(&self, outline: &Outline) -> RowFormat;
 
-    /// How it is written.
+    /// The format of the file.
     fn format(&self) -> Option<Format>;
 
     /// As a command line has it.

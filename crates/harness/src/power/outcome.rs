@@ -29,12 +29,12 @@ impl Outcome {
         Self { fired: fired(&first, second.as_ref()), rung, decision }
     }
 
-    /// What decided: the first that gives `reason`, or that gives any.
+    /// The sighting that decided: the first that gives `reason`, or that gives any.
     pub(super) fn first(&self, reason: Option<Reason>) -> Option<Sighting> {
         self.fired.iter().find(|seen| reason.is_none_or(|reason| seen.reason == reason)).cloned()
     }
 
-    /// Whether no p-value is among what decided.
+    /// True if no p-value is among what decided.
     pub(super) fn silent(&self) -> bool {
         self.fired.iter().all(|seen| seen.fact)
     }

@@ -11,7 +11,7 @@ use freepath_results::{Reason, Verdict};
 use freepath_statistics::claim::Design;
 use freepath_statistics::decide::Decision;
 
-/// What is expected of a row, and the reason that it must fail for, if a particular one.
+/// The result expected of a row, and the reason that it must fail for, if a particular one.
 struct Aim {
     role: Role,
     reason: Option<Reason>,
@@ -37,13 +37,13 @@ impl Aim {
         Self { role, reason: None }
     }
 
-    /// How many p-values the run is taken to hold: many where one must be seen, no others where all must be silent.
+    /// The number of p-values taken for the run: many where one must be seen, no others where all must be silent.
     fn family(&self) -> usize {
         if self.role == Role::Caught { FAMILY } else { 0 }
     }
 }
 
-/// What was found of one subject.
+/// The findings on one subject.
 struct Found {
     aim: Aim,
     expected: String,
@@ -54,7 +54,7 @@ struct Found {
     climb: Climb,
 }
 
-/// What was found below the full effort.
+/// The findings below the full effort.
 #[derive(Default)]
 struct Climb {
     /// At the fewest draws at which the subject fails as it must, if there are any.

@@ -23,7 +23,7 @@ use tempfile::NamedTempFile;
 pub(super) struct NodeTable {
     pub(super) file: NamedTempFile,
     pub(super) rows_per_cell: usize,
-    /// How far its optical depth may be off beyond rounding.
+    /// The most by which its optical depth may be off beyond rounding.
     pub(super) error: f64,
 }
 

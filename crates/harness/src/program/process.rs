@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 mod end;
 
-/// How long a wait lasts before it is looked whether the run was cancelled.
+/// The length of a wait before it is looked whether the run was cancelled.
 const SLICE: Duration = Duration::from_millis(50);
 
 /// Bytes of the beginning of standard output and of the end of standard error that messages look at.

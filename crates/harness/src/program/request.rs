@@ -10,11 +10,11 @@ use std::path::PathBuf;
 /// The version of the protocol.
 const PROTOCOL: u32 = 1;
 
-/// Where a program draws.
+/// The setting in which a program draws.
 pub(crate) struct Setting<'a> {
     /// The name of the kind.
     pub(crate) kind: &'static str,
-    /// What a row says: all of its columns come in their order.
+    /// The format of a row: all of its columns come in their order.
     pub(crate) rows: RowFormat,
     /// As in the case.
     pub(crate) medium: Value,
@@ -27,7 +27,7 @@ pub(crate) struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// What is said at every start; draws, seed and stage are stated later.
+    /// The fields of every start; draws, seed and stage are stated later.
     pub(super) fn request(&self, table: Option<&NodeTable>) -> Map<String, Value> {
         let mut request = Map::new();
         let mut state = |name: &str, value: Value| request.insert(name.into(), value);

@@ -36,7 +36,7 @@ fn contender<'a>(trial: &'a Trial) -> Option<Contender<'a>> {
     trial.plan.claims.contender(&trial.first.collected.as_ref()?.tallies)
 }
 
-/// Whether an estimator can be ranked.
+/// The work by which an estimator can be ranked, or why it cannot.
 fn assess(trial: &Trial, contender: &Contender, verdict: Verdict) -> Rankable {
     let Contender { sums, truth, design_bias, kurtosis, lookups, batches } = contender;
     let t = truth.expected;

@@ -6,7 +6,7 @@ use freepath_statistics::decide::Decision;
 /// An expectation held against a decision.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expected {
-    /// What was expected, in words.
+    /// The expectation, in words.
     pub words: String,
     /// The expectation was computed, not stated.
     pub by_design: bool,

@@ -23,7 +23,7 @@ use std::ops::Range;
 /// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
 const REJECTED: f64 = 1e-8;
 
-/// What growth needs beside the subject.
+/// The context of growth beside the subject.
 pub(super) struct Growth<'a> {
     /// The run's seed.
     pub(super) seed: u64,
@@ -120,7 +120,7 @@ fn test<'a>(subject: &Subject, plan: &'a Plan) -> Option<SequentialTest<'a>> {
     plan.claims.sequential(&asked)
 }
 
-/// How growth ends at these draws; none if it goes on.
+/// The end of growth at these draws; none if it goes on.
 fn outcome(
     subject: &Subject,
     test: &SequentialTest,
@@ -148,7 +148,7 @@ pub(super) fn settled(grown: Grown, rejections: usize) -> Grown {
     Grown { outcome: GrownOutcome::Rejected, note, ..grown }
 }
 
-/// Whether a fact, or a test of stage 1, has rejected the subject beyond doubt.
+/// True if a fact, or a test of stage 1, has rejected the subject beyond doubt.
 fn rejected_already(judged: &Judged) -> bool {
     let beyond = |evidence: &Evidence| evidence.judged_p().is_some_and(|p| !(p > REJECTED));
     !judged.facts.is_empty() || judged.evidence.iter().any(beyond)

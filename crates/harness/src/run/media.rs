@@ -5,7 +5,7 @@ use freepath_results::{MediumResult, MediumSeries, Real};
 /// Points of a medium's plot.
 const POINTS: usize = 300;
 
-/// What the results say of the medium of a case.
+/// The results on the medium of a case.
 #[must_use]
 pub fn medium_result(case: &Prepared) -> MediumResult {
     let views = case.scene.views();

@@ -48,7 +48,7 @@ pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], options: &Options) -
     Outcome { results, timings }
 }
 
-/// How many p-values the verdicts of a stage use.
+/// The number of p-values that the verdicts of a stage use.
 fn count<'a>(stages: impl Iterator<Item = &'a Stage<'a>>) -> usize {
     stages.flat_map(|stage| &stage.tests).filter(|test| test.adjusted.is_some()).count()
 }

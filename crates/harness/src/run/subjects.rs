@@ -66,7 +66,7 @@ pub(super) fn result(cases: &[Prepared], trial: &Trial, stages: Stages, options:
     }
 }
 
-/// What the claims add, after the decision.
+/// The additions of the claims, after the decision.
 fn summary(trial: &Trial, grown: Option<&Grown>) -> Summary {
     let seen = trial.first.collected.as_ref().map(|seen| &seen.tallies);
     trial.plan.claims.summary(seen).grown(grown)
@@ -77,7 +77,7 @@ fn expectation(trial: &Trial, decision: &Decision) -> Expected {
     expected(prepared.spec.expect, !prepared.faults.is_empty(), trial.subject.design(&trial.plan), decision)
 }
 
-/// How growth ended, after the decision.
+/// The outcome of growth, after the decision.
 fn grown(trial: &Trial, stages: Stages) -> Option<Grown> {
     let rejections = stages.numbered().flat_map(tests);
     let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();

@@ -4,7 +4,7 @@ use freepath_draws::simd;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which free paths are escapes.
+/// The free paths that are escapes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Escape {
@@ -15,16 +15,16 @@ pub enum Escape {
     AtLength,
 }
 
-/// Which free paths on a ray of some length are escapes.
+/// The free paths that are escapes on a ray of some length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EscapeRule {
     /// Length of the ray.
     pub length: f64,
-    /// Where they are.
+    /// The places of escapes.
     pub escapes: Escapes,
 }
 
-/// Where escapes are.
+/// The places of escapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Escapes {
     /// At infinity alone.

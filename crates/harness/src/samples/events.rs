@@ -7,7 +7,7 @@ const SCATTER: f64 = 0.0;
 /// The light reaches the end of the ray.
 const SURFACE: f64 = 1.0;
 
-/// What text may say in place of a number.
+/// The words of text that stand for a number.
 pub(super) const EVENT_WORDS: &[Word] =
     &[Word { word: "scatter", number: SCATTER }, Word { word: "surface", number: SURFACE }];
 

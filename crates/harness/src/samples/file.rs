@@ -15,14 +15,14 @@ mod tests;
 /// The tolerance that single precision implies: one rounding, relative.
 pub(crate) const SINGLE_TOLERANCE: f64 = 6e-8;
 
-/// What is asked of a file of samples.
+/// A request to a file of samples.
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// What its rows say.
+    /// The format of its rows.
     pub rows: RowFormat,
-    /// How they are written; none if the ending of the file's name tells.
+    /// The format of the file; none if the ending of its name tells.
     pub format: Option<Format>,
-    /// How many rows to judge, from the first one on; none for all, which standard input cannot.
+    /// The number of rows to judge, from the first one on; none for all, which standard input cannot.
     pub draws: Option<u64>,
     /// The relative error of a distance; none for what the type of the numbers implies.
     pub tolerance: Option<f64>,
@@ -110,7 +110,7 @@ impl SampleFile {
         if self.table.is_single() { 24 } else { 53 }
     }
 
-    /// How far every claim may be off: what single precision implies, else 0.
+    /// The most by which any claim may be off: what single precision implies, else 0.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         if self.table.is_single() { SINGLE_TOLERANCE } else { 0.0 }
@@ -141,7 +141,7 @@ impl Request {
         begin(&TableRequest { format: self.format, across: self.rows.across(), select: &select })
     }
 
-    /// How many of so many rows are judged.
+    /// The number of rows judged, of so many.
     fn judged(&self, held: u64) -> Result<u64, Refusal> {
         if held == 0 {
             return Err(Refusal::new("it holds no draw", "at least 1 draw"));

@@ -13,7 +13,7 @@ pub struct RowFormat {
     pub columns: Vec<ColumnFormat>,
     /// Their names, as a message puts them.
     pub names: String,
-    /// What a table must not hold besides.
+    /// A column that a table must not hold besides.
     pub excess: Option<Excess>,
 }
 
@@ -22,26 +22,26 @@ pub struct RowFormat {
 pub struct ColumnFormat {
     /// Its name in a table.
     pub name: String,
-    /// Where it stands in a table.
+    /// Its place in a table.
     pub place: Place,
-    /// What its numbers mean.
+    /// The meaning of its numbers.
     pub reading: Reading,
-    /// Where they go.
+    /// The destination of its numbers.
     pub fills: Fills,
 }
 
-/// Where a column stands in a table.
+/// The place of a column in a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// It is the only one.
     Only,
-    /// Where the user says: by name, or by number from 0.
+    /// The place that the user states: by name, or by number from 0.
     Stated(String),
     /// By its own name; in a table without names, which then has the columns of the row and no other, in this order.
     Named,
 }
 
-/// How the numbers of a column are read.
+/// The meaning of the numbers of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reading {
     /// As they are.
@@ -52,7 +52,7 @@ pub enum Reading {
     Event,
 }
 
-/// Where the numbers of a column go.
+/// The destination of the numbers of a column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fills {
     /// The column of draws of this name.
@@ -66,12 +66,12 @@ pub enum Fills {
 pub struct Excess {
     /// Its name.
     pub name: String,
-    /// What it tells.
+    /// The cause of the refusal.
     pub cause: String,
 }
 
 impl Place {
-    /// Where the user says, or the only one.
+    /// The place that the user states, or the only one.
     #[must_use]
     pub fn stated(column: Option<&str>) -> Self {
         column.map_or(Self::Only, |name| Self::Stated(name.to_string()))
@@ -131,7 +131,7 @@ impl RowFormat {
         }
     }
 
-    /// How many numbers a row has where nothing else says it.
+    /// The count of numbers in a row where nothing else says it.
     #[must_use]
     pub(crate) fn across(&self) -> usize {
         let whole = self.columns.iter().all(|column| column.place == Place::Named);

@@ -52,7 +52,7 @@ impl<'a> RowReader<'a> {
         Ok(read)
     }
 
-    /// Where the numbers of each column go.
+    /// The destinations of the numbers of each column.
     fn filled<'d>(&'d mut self, draws: &'d mut Draws) -> Result<Vec<&'d mut [f64]>, Refusal> {
         let mut open: Vec<Option<(&str, &mut [f64])>> = Vec::new();
         open.extend(draws.columns_mut().map(|(column, numbers)| match numbers {

@@ -22,9 +22,9 @@ pub struct Density1d {
     /// The distribution function, 0 at the start of the domain: a formula in x, or a table.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cdf: Option<Curve>,
-    /// Where its numbers lie: from one finite number to another.
+    /// The interval of its numbers: from one finite number to another.
     pub domain: [f64; 2],
-    /// Where a formula of the density or its slope jumps, increasing inside the domain.
+    /// The places where a formula of the density or its slope jumps, increasing inside the domain.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub breaks: Vec<f64>,
     /// Numbers with a probability of their own, increasing.

@@ -26,7 +26,7 @@ const WORDS: [(&str, u64); 7] = [
 /// A script with its name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Scripted {
-    /// Which uniform, and where.
+    /// The scripted uniform, and its place.
     pub name: String,
     /// The words.
     pub script: Script,

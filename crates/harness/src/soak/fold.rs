@@ -27,14 +27,14 @@ struct Alarms {
     listed: Vec<SoakAlarm>,
 }
 
-/// What was seen for certain of right subjects.
+/// Facts seen of right subjects.
 #[derive(Default)]
 struct Facts {
     count: u64,
     listed: Vec<SoakFact>,
 }
 
-/// What is kept of all runs so far: its size does not grow with them.
+/// The sums of all runs so far: their size does not grow with the runs.
 pub(super) struct Fold {
     /// By name of evidence and law.
     rows: BTreeMap<(String, NullClass), Row>,

@@ -16,7 +16,7 @@ pub(super) struct PValues {
     least: Vec<f64>,
     /// At or below 10^-1, 10^-2, ..
     below: [u64; DECADES],
-    /// How many.
+    /// Their number.
     pub(super) count: u64,
 }
 
@@ -26,7 +26,7 @@ pub(super) const DECADES: usize = 7;
 /// 10^-(i + 1).
 pub(super) const LEVELS: [f64; DECADES] = [0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 
-/// How far an empirical CDF is from the uniform one, over the edges of the bins.
+/// The distances of an empirical CDF from the uniform one, over the edges of the bins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Distances {
     /// Its largest excess over the uniform one.
@@ -75,7 +75,7 @@ impl PValues {
         least
     }
 
-    /// How many are at or below each of [`LEVELS`].
+    /// The number at or below each of [`LEVELS`].
     pub(super) fn below(&self) -> [u64; DECADES] {
         self.below
     }

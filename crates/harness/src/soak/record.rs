@@ -27,16 +27,16 @@ pub(super) struct Rejection {
     pub(super) test: String,
 }
 
-/// What was seen of a subject for certain.
+/// A fact seen of a subject.
 pub(super) struct CertainFact {
     /// Its number among the subjects.
     pub(super) subject: usize,
     pub(super) words: String,
 }
 
-/// What one level of both stages made of a run.
+/// The alarm that one level of both stages gives in a run.
 pub(super) struct Alarm {
-    /// What stage 1 rejected first.
+    /// The first rejection of stage 1.
     pub(super) first: Option<Rejection>,
     /// Stage 2 rejects something.
     pub(super) second: bool,
@@ -50,7 +50,7 @@ pub(super) struct Record {
     pub(super) samples: Vec<Sample>,
     /// One for each level.
     pub(super) alarms: Vec<Alarm>,
-    /// What was seen for certain of a right subject: there should be nothing.
+    /// Facts seen of a right subject: there should be none.
     pub(super) facts: Vec<CertainFact>,
 }
 

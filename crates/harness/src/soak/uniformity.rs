@@ -22,7 +22,7 @@ impl Row {
         }
     }
 
-    /// What should be uniform.
+    /// The p-values that should be uniform.
     pub(super) fn uniform(&self) -> &PValues {
         self.spread.as_ref().unwrap_or(&self.p)
     }

@@ -41,7 +41,7 @@ impl Axis {
         self
     }
 
-    /// Where `value` lies, from 0 to 1 on the axis; none if it is not finite, or not positive on a log axis.
+    /// The place of `value`, from 0 to 1 on the axis; none if it is not finite, or not positive on a log axis.
     pub(crate) fn place(&self, value: f64) -> Option<f64> {
         let of = |x: f64| if self.log { libm::log(x) } else { x };
         let share = (of(value) - of(self.lo)) / (of(self.hi) - of(self.lo));

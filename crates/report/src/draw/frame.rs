@@ -36,12 +36,12 @@ impl Frame {
         Some((self.across(x)?, self.up(y)?))
     }
 
-    /// Where `x` lies across.
+    /// The place of `x` across.
     pub(crate) fn across(&self, x: f64) -> Option<f64> {
         Some(self.left + self.x.place(x)?.clamp(0.0, 1.0) * (self.right - self.left))
     }
 
-    /// Where `y` lies upwards.
+    /// The place of `y` upwards.
     pub(crate) fn up(&self, y: f64) -> Option<f64> {
         Some(self.bottom - self.y.place(y)?.clamp(0.0, 1.0) * (self.bottom - self.top))
     }

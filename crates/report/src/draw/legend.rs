@@ -2,7 +2,7 @@
 
 use super::{Align, Ink, Mark, Picture, SMALL, Stroke, width_of};
 
-/// What one entry of a legend looks like.
+/// The look of one entry of a legend.
 #[derive(Clone, Debug)]
 pub(crate) enum Key {
     Line(Stroke, String),
@@ -36,7 +36,7 @@ impl Picture {
         row + ROW
     }
 
-    /// How high the rows of `keys` will be.
+    /// The height of the rows of `keys`.
     pub(crate) fn legend_height(&self, keys: &[Key], left: f64) -> f64 {
         Self::new(self.width, self.height, "").legend(keys, left, 0.0)
     }

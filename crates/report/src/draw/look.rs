@@ -6,7 +6,7 @@ use super::{Align, Ink, SMALL, Stroke};
 /// The width of a line of one pixel, which the style sheet gives to all others.
 const HAIRLINE: i32 = 4;
 
-/// What shapes of one path or one group of texts share.
+/// The style that shapes of one path or one group of texts share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Look {
     Line(Stroke),
@@ -14,7 +14,7 @@ pub(super) enum Look {
     Text { ink: Ink, size: f64, align: Align },
 }
 
-/// Who says what a look is: the page's style sheet, or the file itself.
+/// The owner of a look: the page's style sheet, or the file itself.
 #[derive(Clone, Copy)]
 pub(super) enum Dress {
     Page,

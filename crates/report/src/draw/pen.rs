@@ -18,7 +18,7 @@ pub(super) fn units(v: f64) -> i32 {
 pub(super) struct Pen {
     data: String,
     at: Place,
-    /// Where the subpath began.
+    /// The beginning of the subpath.
     begin: Place,
     /// The command that further numbers would belong to.
     command: char,
@@ -76,7 +76,7 @@ impl Pen {
         let _ = write!(self.data, "<text x=\"{x}\" y=\"{y}\">{text}</text>"); // a string takes everything
     }
 
-    /// What was written.
+    /// The commands written.
     pub(super) fn data(self) -> String {
         self.data
     }

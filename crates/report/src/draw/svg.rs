@@ -30,7 +30,7 @@ pub(crate) fn standalone(picture: &Picture) -> String {
     format!("{open}<title>{title}</title><style>text{{font-family:{STACK}}}</style>{paper}{body}</svg>\n")
 }
 
-/// What a shape is made of.
+/// A piece of a shape.
 enum Piece {
     Open(Vec<Place>),
     Closed(Vec<Place>),

@@ -8,7 +8,7 @@ use freepath_results::SubjectResult;
 /// The list: nothing is ever left out of it.
 pub(crate) struct Attention {
     pub(crate) entries: Vec<Entry>,
-    /// How many of them have no section.
+    /// The number of them that have no section.
     pub(crate) beyond: usize,
 }
 
@@ -16,7 +16,7 @@ pub(crate) struct Attention {
 pub(crate) struct Entry {
     /// Its section, if it has one.
     pub(crate) anchor: String,
-    /// What finds it in results.json, if it has none.
+    /// Its id in results.json, if it has none.
     pub(crate) id: String,
     pub(crate) subject: String,
     pub(crate) case: String,

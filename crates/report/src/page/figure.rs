@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 pub(crate) struct FigureView {
     pub(crate) svg: String,
     pub(crate) heading: String,
-    /// What it shows; empty where `reading` tells it.
+    /// Its meaning in words; empty where `reading` tells it.
     pub(crate) words: String,
     /// The [`Reading`] that holds the words.
     pub(crate) reading: Option<&'static str>,
@@ -40,7 +40,7 @@ impl FigureView {
     }
 }
 
-/// How to read the plots of one kind, told once for all subjects that need no attention.
+/// A guide to the plots of one kind, told once for all subjects that need no attention.
 pub(crate) struct Reading {
     pub(crate) name: &'static str,
     pub(crate) heading: String,

@@ -18,14 +18,14 @@ pub(crate) struct LevelView {
     pub(crate) soak: Option<SoakView>,
 }
 
-/// What a soak found.
+/// The findings of a soak.
 pub(crate) struct SoakView {
     pub(crate) lead: String,
     pub(crate) alarms: Vec<AlarmRow>,
-    /// What was seen for certain of right subjects.
+    /// Facts seen of right subjects.
     pub(crate) facts: Vec<String>,
     pub(crate) tests: Vec<TestRow>,
-    /// How many levels and tests are left out, all of which hold.
+    /// The number of levels and tests left out, all of which hold.
     pub(crate) left_out: usize,
     pub(crate) repro: String,
 }
@@ -109,7 +109,7 @@ fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 3] {
     ]
 }
 
-/// What is wrong with a test, if anything is.
+/// The fault of a test, if it has one.
 fn broken(of: &SoakTest) -> Option<&'static str> {
     match (of.holds, of.declared) {
         (true, true) => None,

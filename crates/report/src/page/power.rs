@@ -26,7 +26,7 @@ pub(crate) struct Part {
     /// The fourth to sixth column.
     pub(crate) heads: [&'static str; 3],
     pub(crate) rows: Vec<Row>,
-    /// How many rows are left out, all as they must be.
+    /// The number of rows left out, all as they must be.
     pub(crate) left_out: usize,
 }
 

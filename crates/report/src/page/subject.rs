@@ -34,7 +34,7 @@ pub(crate) struct SubjectView {
     pub(crate) claims: Vec<String>,
     pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
-    /// What is shown only in part.
+    /// A note on what is shown only in part.
     pub(crate) left_out: String,
     pub(crate) repro: String,
     pub(crate) log: Vec<String>,
@@ -104,7 +104,7 @@ fn reason(reason: &Reason) -> ReasonView {
     ReasonView { code: reason.code(), words: reason.words(), causes: part("Causes:"), advice: part("Do:") }
 }
 
-/// What the tables of tests and facts do not tell.
+/// Notes that the tables of tests and facts do not hold.
 fn notes(result: &SubjectResult) -> Vec<String> {
     let facts = || result.facts.iter().take(MOST);
     let rejected: Vec<_> = tests(result).into_iter().filter(|test| test.rejected).collect();

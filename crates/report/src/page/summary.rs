@@ -15,7 +15,7 @@ pub(crate) struct Summary {
     /// Name, value, explanation.
     pub(crate) facts: Vec<(&'static str, String, String)>,
     pub(crate) repro: String,
-    /// What has no place on the page.
+    /// Notes on what has no place on the page.
     pub(crate) left_out: Vec<String>,
     /// Files beside the results that are not shown.
     pub(crate) unread: Vec<String>,

@@ -37,7 +37,7 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// What is not as expected above everything else.
+    /// The rows, those that are not as expected above everything else.
     pub(crate) fn all(site: &Site) -> Vec<Self> {
         let mut rows: Vec<Row> = site.subjects.iter().map(|subject| Row::new(site, subject)).collect();
         rows.sort_by_key(|row| !row.surprising);

@@ -23,7 +23,7 @@ pub(crate) fn class(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What was found, in one sentence.
+/// The verdict, in one sentence.
 pub(crate) fn verdict(result: &SubjectResult) -> String {
     let draws = count(result.draws.saturating_add(result.draws_stage2));
     let (verdict, found) = match result.verdict {
@@ -40,7 +40,7 @@ pub(crate) fn verdict(result: &SubjectResult) -> String {
     format!("{verdict}{fit}: {found}.")
 }
 
-/// What a mean says of its bias, what was bounded and what would have been seen.
+/// Sentences on a mean: its bias, the bound on it, and the bias that would have been seen.
 pub(crate) fn mean(mean: &MeanResult) -> Vec<String> {
     let method = match mean.method.as_str() {
         "binomial" => "an exact binomial interval",
@@ -70,7 +70,7 @@ pub(crate) fn mean(mean: &MeanResult) -> Vec<String> {
     found.into_iter().chain(mean.grown.as_ref().map(grown)).collect()
 }
 
-/// How draws that grew towards a bound came out.
+/// The outcome of draws that grew towards a bound.
 fn grown(grown: &Grown) -> String {
     let outcome = match grown.outcome {
         GrownOutcome::Proven => "proven",
@@ -125,7 +125,7 @@ fn detectable(law: &LawResult) -> Option<String> {
     (!kinds.is_empty()).then(|| format!("Would also have been seen with 90 % power: {}.", kinds.join("; ")))
 }
 
-/// What a life table says, in a sentence.
+/// The finding of a life table, in a sentence.
 pub(crate) fn life_table(table: &LifeTable) -> Option<String> {
     let rows = crate::plot::life_table::rows(table);
     let all = rows.len();
@@ -147,7 +147,7 @@ pub(crate) fn life_table(table: &LifeTable) -> Option<String> {
     ))
 }
 
-/// What the audit of look-ups found.
+/// The findings of the audit of look-ups.
 pub(crate) fn audit(subject: &Subject) -> String {
     let result = subject.result;
     let expected =

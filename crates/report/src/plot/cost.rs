@@ -5,7 +5,7 @@ use crate::draw::{Axis, Frame, Ink, Inset, Key, MARKS, Picture, SERIES, Stroke};
 use crate::text::clean;
 use freepath_results::Efficiency;
 
-/// What an estimator pays, and what for.
+/// The cost of an estimator, and its efficiency.
 pub(crate) struct Cost<'a> {
     pub(crate) name: String,
     pub(crate) efficiency: &'a Efficiency,

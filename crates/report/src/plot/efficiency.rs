@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 const MOST_NAMED: usize = 12;
 /// Height of a row.
 const ROW: f64 = 24.0;
-/// Where the rows begin.
+/// The top of the rows.
 const TOP: f64 = 34.0;
 
 /// Ranked estimators, best first; the others are told in words.

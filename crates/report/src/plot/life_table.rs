@@ -42,7 +42,7 @@ pub(crate) fn rows(table: &LifeTable) -> Vec<Row> {
     (0..MOST_POINTS).map_while(whole).collect()
 }
 
-/// Where the law breaks, row by row.
+/// The plot of where the law breaks, row by row.
 pub(crate) fn figure(table: &LifeTable, medium: Option<&MediumSeries>, subject: &str, level: f64) -> Figure {
     let rows = rows(table);
     let broken = rows.iter().filter(|row| row.broken).count();

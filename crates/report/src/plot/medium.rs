@@ -7,7 +7,7 @@ use freepath_results::{MediumResult, MediumSeries};
 
 const BOUND: Stroke = Stroke::new(Ink::Muted, 1.2);
 const HEIGHT: f64 = 566.0;
-/// Where each panel ends, but for the last.
+/// The end of each panel, but for the last.
 const SPLITS: [f64; 2] = [236.0, 380.0];
 /// From the end of a panel to the beginning of the next.
 const GAP: f64 = 56.0;

@@ -24,7 +24,7 @@ pub(crate) struct Rung {
 /// All step counts of one rule on one ray.
 pub(crate) struct Ladder {
     pub(crate) rule: String,
-    /// What is measured, in words: a bias, or a distance from a law.
+    /// The measured quantity, in words: a bias, or a distance from a law.
     pub(crate) measure: &'static str,
     pub(crate) predicted: f64,
     /// By step count.

@@ -24,7 +24,7 @@ const PANEL: f64 = 128.0;
 
 /// Ranked p-values beside what is expected of their ranks.
 struct Ranked {
-    /// How many p-values there are.
+    /// The number of p-values.
     n: u64,
     /// Expected and observed, ascending.
     points: Vec<Point>,

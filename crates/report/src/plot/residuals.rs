@@ -7,7 +7,7 @@ use freepath_results::{MOST_POINTS, Real, ResidualSeries};
 /// Width of the column for escapes.
 const ASIDE: f64 = 78.0;
 
-/// Where in the law a chi-square test sees its deviations.
+/// The plot of the deviations that a chi-square test sees in a law.
 pub(crate) fn figure(series: &ResidualSeries, subject: &str) -> Figure {
     let words = "How many standard deviations each cell of the chi-square test is off. Of 64 cells of a right sampler about \
                  three lie outside ±2 and none outside ±4; a run of bars to one side is a slope in the law."

@@ -42,7 +42,7 @@ fn alone<'de, A: MapAccess<'de>>(mut rest: A, names: &[&str]) -> Result<(), A::E
     }
 }
 
-/// What stands behind `key`.
+/// The value behind `key`.
 fn named<'de, K: Kind, A: MapAccess<'de>>(key: String, mut map: A) -> Result<Named<K>, A::Error> {
     if K::CONTROL == Some(key.as_str()) {
         return map.next_value().map(Named::Control);

@@ -4,7 +4,7 @@ use serde::de::{Expected, Unexpected};
 
 use crate::diagnose::words::shortened;
 
-/// What was found: `the string "x"`, `a list`.
+/// The words for a value found: `the string "x"`, `a list`.
 pub(super) fn found(unexpected: Unexpected) -> String {
     match unexpected {
         Unexpected::Str(text) => format!("the string {:?}", shortened(text)),
@@ -27,7 +27,7 @@ pub(super) fn found(unexpected: Unexpected) -> String {
     }
 }
 
-/// What a type wants: `a number` for an f64.
+/// The words for a wanted type: `a number` for an f64.
 pub(super) fn wanted(expected: &dyn Expected) -> String {
     let rust = expected.to_string();
     let words = match rust.as_str() {

@@ -8,7 +8,7 @@ use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use crate::diagnose::diagnosis::Finding;
 use crate::diagnose::path::{Step, written};
 
-/// What is wrong with the text, and where. The path grows as the fault leaves the values it occurred in.
+/// A fault in the text, and its place. The path grows as the fault leaves the values it occurred in.
 #[derive(Debug)]
 pub(super) struct Fault {
     span: Range<usize>,

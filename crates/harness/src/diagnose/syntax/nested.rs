@@ -74,7 +74,7 @@ impl<'a> Parser<'a> {
         Ok(key)
     }
 
-    /// Whether the bracket that was opened at `open` closes here.
+    /// True if the bracket that was opened at `open` closes here.
     fn closes(&self, close: &Token, open: &Range<usize>) -> Result<bool, Fault> {
         let Some(token) = &self.token else {
             let missing = format!("`{}` is missing before the end of the file", close.as_str());

@@ -25,7 +25,7 @@ const RARELY: f64 = 1e-3;
 const THIN: f64 = 1e-9;
 
 impl DroppedChannel {
-    /// Whether drawing again comes to an end, if channels have these probabilities.
+    /// True if drawing again comes to an end, if channels have these probabilities.
     fn ends(&self, mixture: &ChannelMixture, probabilities: &[f64]) -> bool {
         let dense = |k: usize| mixture.mu(k) * mixture.channels()[k].extinction.length() >= THIN;
         let mut drawn = probabilities.iter().enumerate();

@@ -16,7 +16,7 @@ use freepath_estimators::{Capability, ParameterError};
 pub struct SkewedPdf {
     /// From 0.
     channel: usize,
-    /// What its density is multiplied by.
+    /// The factor that multiplies its density.
     factor: f64,
 }
 

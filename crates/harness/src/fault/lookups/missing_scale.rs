@@ -13,7 +13,7 @@ use freepath_estimators::{Capability, ParameterError};
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MissingScale {
-    /// What the subject sees of mu: 1 over the scale that is left out.
+    /// The factor of mu that the subject sees: 1 over the scale that is left out.
     factor: f64,
 }
 

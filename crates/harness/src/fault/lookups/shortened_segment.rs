@@ -12,7 +12,7 @@ use freepath_estimators::{Capability, ParameterError};
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShortenedSegment {
-    /// What is cut off, as a share of the length.
+    /// The part that is cut off, as a share of the length.
     share: f64,
 }
 

@@ -12,7 +12,7 @@ use freepath_estimators::{Capability, ParameterError};
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UncutSegment {
-    /// How far the last cell goes on beyond the end.
+    /// The length by which the last cell goes on beyond the end.
     by: f64,
 }
 

@@ -13,7 +13,7 @@ use freepath_estimators::{Capability, Majorants, Medium};
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CellMajorant {
-    /// Where the cell is looked up.
+    /// The place where the cell is looked up.
     at: CellPlace,
 }
 

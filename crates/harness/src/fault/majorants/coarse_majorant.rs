@@ -12,7 +12,7 @@ use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CoarseMajorant {
-    /// How many look-ups, ends included.
+    /// The number of look-ups, ends included.
     points: u32,
 }
 

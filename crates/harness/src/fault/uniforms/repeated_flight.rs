@@ -16,7 +16,7 @@ pub struct RepeatedFlight {}
 
 struct Repeat<'a> {
     medium: &'a dyn Extinction,
-    /// Where the walk stands.
+    /// The place of the walk.
     t: Cell<f64>,
     /// The flight's word, and the segment whose end it crossed.
     crossing: Cell<Option<(u64, usize)>>,

@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 #[serde(deny_unknown_fields)]
 pub struct WrongWedge {}
 
-/// Where the tail begins, and the area of each of 256 layers (Marsaglia and Tsang 2000).
+/// The beginning of the tail, and the area of each of 256 layers (Marsaglia and Tsang 2000).
 const TAIL: f64 = 7.697_117_470_131_05;
 const AREA: f64 = 0.003_949_659_822_581_557;
 

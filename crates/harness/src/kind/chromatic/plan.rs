@@ -89,8 +89,8 @@ fn survival(medium: &ChromaticMedium, mixture: Vec<f64>) -> impl Fn(f64) -> f64 
     move |t| mixture.iter().zip(&rates).map(|(q, mu)| q * libm::exp(-mu * t)).sum()
 }
 
-/// What any unbiased sampler of these channels must give, and what the claims say beyond that: channel by channel scatter,
-/// surface, then bins of t.
+/// The means that any unbiased sampler of these channels must give, and what the claims add: channel by channel
+/// scatter, surface, then bins of t.
 fn means(medium: &ChromaticMedium, said: &ChromaticClaims, terms: &Terms) -> Vec<EventMean> {
     let (channels, length) = (medium.channels(), medium.length());
     (0..channels.len()).flat_map(|k| of_channel(k, &channels, length, said, terms.tolerance)).collect()

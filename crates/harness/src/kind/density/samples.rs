@@ -20,7 +20,7 @@ pub struct DensitySamples {
     /// The column of numbers, by name or by number from 0 (default: the only one).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub column: Option<String>,
-    /// How it is written (default: as the ending of its name tells).
+    /// Its format (default: as the ending of its name tells).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub format: Option<Format>,
 }

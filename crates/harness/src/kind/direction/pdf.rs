@@ -64,7 +64,7 @@ pub(super) fn wrong_anywhere(sampler: &dyn DirectionSampler, truth: &Directions,
     places.find_map(|w| compared(w, sampler.pdf(truth.normal(), w), truth.pdf(w), tolerance))
 }
 
-/// What is wrong with a density, if it is not the one that is due.
+/// The fact against a density, if it is not the one that is due.
 fn compared([x, y, z]: Vector, pdf: f64, due: f64, tolerance: f64) -> Option<Fact> {
     let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due.abs() + LEAST + tolerance;
     let words = || format!("the pdf of the direction {x:e}, {y:e}, {z:e} is {pdf:e}, that of the scene {due:e}");

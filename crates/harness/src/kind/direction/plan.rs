@@ -90,7 +90,7 @@ impl Ranked {
     }
 }
 
-/// Where a direction may lie.
+/// A predicate: true where a direction may lie.
 fn inside(truth: &Arc<Directions>, tolerance: f64) -> Inside {
     let truth = truth.clone();
     Arc::new(move |w| <[f64; 3]>::try_from(w).is_ok_and(|w| truth.holds(w, tolerance)))

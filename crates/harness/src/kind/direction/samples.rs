@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 pub struct DirectionSamples {
     /// Its name, from the folder of the case.
     pub file: String,
-    /// How it is written (default: as the ending of its name tells).
+    /// Its format (default: as the ending of its name tells).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub format: Option<Format>,
 }

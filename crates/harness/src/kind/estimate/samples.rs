@@ -19,7 +19,7 @@ pub struct NumberSamples {
     /// The column of estimates, by name or by number from 0 (default: the only one).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub column: Option<String>,
-    /// How it is written (default: as the ending of its name tells).
+    /// Its format (default: as the ending of its name tells).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub format: Option<Format>,
 }

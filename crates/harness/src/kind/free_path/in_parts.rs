@@ -15,7 +15,7 @@ use freepath_statistics::Fact;
 pub(super) struct InParts<'a> {
     pub(super) sampler: &'a dyn FreePathSampler,
     pub(super) ray: Ray<'a>,
-    /// Where it is cut.
+    /// The place where it is cut.
     pub(super) cut: f64,
 }
 
@@ -100,7 +100,7 @@ fn distance(sampler: &dyn FreePathSampler, part: &FaultyMedium, rng: &mut Stream
     if (0.0..=part.length()).contains(&t) || t == f64::INFINITY || t.is_nan() { t } else { NOWHERE }
 }
 
-/// Whether the sampler accepts both parts of a ray.
+/// True if the sampler accepts both parts of a ray.
 pub(super) fn works_in_parts(sampler: &dyn FreePathSampler, medium: &dyn Medium, cut: f64) -> bool {
     let accepts = |from, to| segment(medium, from, to).is_ok_and(|part| sampler.accepts(&part).is_ok());
     accepts(0.0, cut) && accepts(cut, medium.length())

@@ -51,7 +51,7 @@ impl Laws {
     }
 }
 
-/// What is said of the sampler: of a file nothing that is not true of any right sampler.
+/// The claims of the sampler: of a file nothing that is not true of any right sampler.
 fn said<'a>(ray: Ray<'a>, source: &Source<'a, FreePathKind>) -> FreePathClaims<'a> {
     match source {
         Source::Sampler(sampler) => sampler.claims(ray.truth),
@@ -101,7 +101,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         Self { ray, source, terms, said, laws, reason, claims, beside: Vec::new(), index, cells, lookups }
     }
 
-    /// What holds whatever the law: look-ups and distances lie where they may.
+    /// Claims that hold whatever the law: look-ups and distances lie where they may.
     fn support(&mut self) {
         let (lookups, cells, external) = (self.lookups, self.cells, self.source.is_external());
         if self.said.bounded {
@@ -192,7 +192,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         self.claims.push(Order { scores, lags, cells });
     }
 
-    /// Where tentative collisions lie, and the ray in two parts.
+    /// Claims on the places of tentative collisions, and on the ray in two parts.
     fn in_parts(&mut self) {
         if self.said.coleman && self.said.bounded {
             let nulls = self.claims.folds.add(Nulls { law: self.laws.truth.clone(), index: self.index });

@@ -30,11 +30,11 @@ pub struct FreePathSamples {
     /// The column of statistical weights, by name or by number from 0.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub weight: Option<String>,
-    /// What an escape is.
+    /// The definition of an escape.
     #[serde(skip_serializing_if = "by_default", default)]
     #[schemars(extend("default" = "infinity"))]
     pub escape: Escape,
-    /// How it is written (default: as the ending of its name tells).
+    /// Its format (default: as the ending of its name tells).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub format: Option<Format>,
 }

@@ -11,7 +11,7 @@ use freepath_statistics::claim::{
 use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, Weights};
 use freepath_statistics::hypothesis::MeanClaim;
 
-/// What is said of the estimator: of a file nothing that is not true of any right estimator.
+/// The claims of the estimator: of a file nothing that is not true of any right estimator.
 pub(super) fn said(ray: Ray, source: &Source<Transmittance>) -> TransmittanceClaims {
     match source {
         Source::Sampler(estimator) => estimator.claims(ray.truth),
@@ -102,7 +102,7 @@ impl<'b> Builder<'_, 'b> {
         Self { terms, said, mean, claims, weights, lookups }
     }
 
-    /// What holds whatever the mean, and what compares estimators and settings.
+    /// Claims that hold whatever the mean, and those that compare estimators and settings.
     fn support(&mut self, external: bool) {
         let (weights, lookups, truth) = (self.weights, self.lookups, self.mean.truth);
         if self.said.bounded {

@@ -17,17 +17,17 @@ pub(super) const ROWS: usize = 8;
 const FIRST: f64 = 256.0;
 /// Cells after which none is halved any more.
 const MOST_CELLS: usize = 65_536;
-/// How often a cell is halved: a jump that nobody has stated then lies in 3e-15 of the ray.
+/// The number of times a cell is halved: a jump that nobody has stated then lies in 3e-15 of the ray.
 const HALVINGS: u32 = 40;
 /// Steps between two nodes in which mu is compared: with the first cells, 16,384 places along the ray.
 const STEPS: usize = 9;
 /// The same from end to end of a cell.
 const PARTS: usize = (ROWS - 1) * STEPS;
-/// How far mu may be off, as a part of its mean along the ray and of the greatest in its cell.
+/// The most by which mu may be off, as a part of its mean along the ray and of the greatest in its cell.
 const CLOSE: f64 = 1e-12;
 /// An optical depth that no run tells from none.
 const FAINT: f64 = 1e-16;
-/// How far the optical depth of a cell may be off by rounding, as a part of the whole.
+/// The most by which rounding may move the optical depth of a cell, as a part of the whole.
 const ROUNDING: f64 = 1e-14;
 /// The most error of optical depth, as a part of the whole. The largest run has 1e12 draws: the escapes among them are known to
 /// no better than 1e4 times as much.
@@ -41,7 +41,7 @@ const COTES: [f64; ROWS] = {
 /// Polynomials in the place of a medium.
 pub(super) struct Fit {
     pub(super) cells: Vec<Cell>,
-    /// How far its optical depth may be off, anywhere.
+    /// The most by which its optical depth may be off, anywhere.
     pub(super) error: f64,
 }
 
@@ -77,7 +77,7 @@ struct Halving<'a> {
     medium: &'a dyn Medium,
     /// Of mu along the ray.
     mean: f64,
-    /// How far the optical depth of a cell may be off, for all that the medium knows.
+    /// The most by which the optical depth of a cell may be off, for all that the medium knows.
     rounding: f64,
     cells: Vec<Cell>,
     error: f64,
@@ -100,7 +100,7 @@ impl Halving<'_> {
     }
 }
 
-/// How well a polynomial stands for mu in a cell.
+/// The accuracy of a polynomial that stands for mu in a cell.
 struct Quality {
     /// The greatest distance between the two.
     off: f64,
@@ -108,7 +108,7 @@ struct Quality {
     greatest: f64,
     /// By how much mu changes when its place is rounded.
     blur: f64,
-    /// How far they are apart in optical depth.
+    /// The distance between them in optical depth.
     depth: f64,
 }
 

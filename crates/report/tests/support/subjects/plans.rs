@@ -45,7 +45,7 @@ fn plan(kind: &'static str, estimator: &'static str, parameters: Value) -> Plan 
     Plan::new(kind, estimator, parameters)
 }
 
-/// What meets the `i`th medium.
+/// The plans that meet the `i`th medium.
 pub(crate) fn all(medium: &Medium, i: usize) -> Vec<Plan> {
     if medium.name == "chromatic" {
         return ["balance", "power", "single_channel"].map(|name| plan("chromatic", name, json!({}))).into();
