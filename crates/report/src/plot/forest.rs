@@ -35,8 +35,10 @@ fn picture(entries: &[Entry], title: &str) -> Picture {
     let keys = keys(entries);
     let top = 20.0 + picture.legend(&keys, 12.0, 11.0);
     picture.height = top + ROW * entries.len().max(1) as f64 + 46.0;
-    let inset = Inset { left, top, right: 74.0, bottom: 46.0 };
     let room = room(entries);
+    let beyond = entries.iter().filter_map(|e| remark(relative_bias(e), room));
+    let right = beyond.map(|text| width_of(&text, SMALL) + 16.0).fold(74.0, f64::max);
+    let inset = Inset { left, top, right, bottom: 46.0 };
     let y = Axis::linear("", 0.0, entries.len().max(1) as f64, 1).ticks_at(&[]);
     let frame = picture.frame(Axis::linear("bias / truth", -room, room, 5), y, inset);
     if let Some(zero) = frame.across(0.0) {
@@ -77,13 +79,28 @@ fn room(entries: &[Entry]) -> f64 {
     }
 }
 
+fn relative_bias(entry: &Entry) -> f64 {
+    entry.mean.bias.0 / entry.mean.expected.0.abs()
+}
+
+/// The words at the end of a row whose marker has no place on the axis.
+fn remark(bias: f64, room: f64) -> Option<String> {
+    if !bias.is_finite() {
+        return Some("not finite".into());
+    }
+    let arrow = if bias > 0.0 { "→" } else { "←" };
+    (bias.abs() > room).then(|| format!("{arrow} {}", short(bias)))
+}
+
 fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     let (mark, ink) = look(entry.verdict);
     let truth = entry.mean.expected.0.abs();
-    let [bias, low, high, bound] =
-        [entry.mean.bias, entry.mean.low, entry.mean.high, entry.mean.bound].map(|x| x.0 / truth);
+    let bias = relative_bias(entry);
+    let [low, high, bound] = [entry.mean.low, entry.mean.high, entry.mean.bound].map(|x| x.0 / truth);
+    if let Some(remark) = remark(bias, frame.x.hi) {
+        picture.text((frame.right + 8.0, y), remark, SMALL, Ink::Muted, Align::Left);
+    }
     if !bias.is_finite() {
-        picture.text((frame.right + 8.0, y), "not finite", SMALL, Ink::Muted, Align::Left);
         return;
     }
     if let (Some(from), Some(to)) = (frame.across(low), frame.across(high)) {
@@ -97,8 +114,4 @@ fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     }
     let Some(x) = frame.across(bias) else { return };
     picture.mark((x, y), mark, ink, false);
-    if bias.abs() > frame.x.hi {
-        let arrow = if bias > 0.0 { "→" } else { "←" };
-        picture.text((frame.right + 8.0, y), format!("{arrow} {}", short(bias)), SMALL, Ink::Muted, Align::Left);
-    }
 }
