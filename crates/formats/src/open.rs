@@ -2,6 +2,7 @@
 
 use crate::error::Refusal;
 use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// A file that is neither folder, pipe nor device.
@@ -26,12 +27,31 @@ impl Regular {
     }
 }
 
+/// Bytes at the beginning of a file that tell what it is.
+pub(crate) const HEAD: usize = 8;
+
+/// The first bytes of an input: [`HEAD`], or all there are.
+pub(crate) fn head(input: &mut dyn Read) -> std::io::Result<Vec<u8>> {
+    let mut head = Vec::new();
+    input.take(HEAD as u64).read_to_end(&mut head)?;
+    Ok(head)
+}
+
+/// The same, if it begins by too long a word to begin rows of doubles by chance.
+pub(crate) fn foreign_to_doubles(head: &[u8]) -> Option<Refusal> {
+    let container =
+        head.starts_with(b"PK\x03\x04") || head.starts_with(b"\x89HDF") || head.starts_with(b"MATLAB ");
+    foreign(head).filter(|_| container)
+}
+
 /// The refusal of a file that begins so, if it is of a known format that is not read.
 pub(crate) fn foreign(head: &[u8]) -> Option<Refusal> {
-    let known: [(&[u8], &str, &str); 5] = [
+    let known: [(&[u8], &str, &str); 7] = [
         (b"PK\x03\x04", "a zip archive, as numpy.savez writes one", "a single array, as numpy.save writes it"),
         (b"\x1f\x8b", "compressed by gzip", "an uncompressed file"),
         (b"\x89HDF", "an HDF5 file", "an array, as numpy.save writes it"),
+        (b"MATLAB 5", "a MATLAB file", "an array, as numpy.save writes it"),
+        (b"MATLAB 7", "a MATLAB file", "an array, as numpy.save writes it"),
         (b"\xff\xfe", "text in UTF-16", "text in UTF-8"),
         (b"\xfe\xff", "text in UTF-16", "text in UTF-8"),
     ];

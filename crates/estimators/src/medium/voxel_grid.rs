@@ -60,10 +60,12 @@ struct Parameters {
     /// the axes.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     bounds: Option<[[f64; 3]; 2]>,
-    /// The start of the ray.
-    origin: [f64; 3],
-    /// The direction of the ray; of any length but 0.
-    direction: [f64; 3],
+    /// The start of the ray; may be left out where the case has `rays`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    origin: Option<[f64; 3]>,
+    /// The direction of the ray, of any length but 0; may be left out where the case has `rays`.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    direction: Option<[f64; 3]>,
     /// Extinction per unit of the values, 1/length.
     #[serde(default = "one")]
     scale: f64,
@@ -101,6 +103,20 @@ impl Parameters {
         let must_be = "two corners of the box, since the file states none that is parallel to the axes";
         self.bounds.or(volume.bounds).ok_or_else(|| ParameterError::new("bounds", "missing", must_be))
     }
+
+    /// The ray of the case, or else the grid's own.
+    fn ray(&self, resolver: &dyn Resolver) -> Result<Ray, ParameterError> {
+        if let Some(ray) = resolver.ray() {
+            return Ok(ray);
+        }
+        let missing = |name| {
+            let must_be = "three numbers, unless the case has `rays`";
+            ParameterError::new(name, "missing", must_be)
+        };
+        let origin = self.origin.ok_or_else(|| missing("origin"))?;
+        let direction = self.direction.ok_or_else(|| missing("direction"))?;
+        Ok(Ray { origin, direction })
+    }
 }
 
 fn one() -> f64 {
@@ -113,8 +129,8 @@ impl TryFrom<Parameters> for VoxelGrid {
     fn try_from(parameters: Parameters) -> Result<Self, ParameterError> {
         parameters.bounds.map(bounds::Bounds::new).transpose()?;
         parameters.layout()?;
-        bounds::unit(parameters.direction)?;
-        for x in parameters.origin {
+        parameters.direction.map(bounds::unit).transpose()?;
+        for x in parameters.origin.into_iter().flatten() {
             parameter::finite("origin", x)?;
         }
         parameter::finite("scale", parameters.scale)?;
@@ -135,8 +151,7 @@ impl Describe for VoxelGrid {
         let volume = resolver.volume(&self.parameters.request())?;
         let bounds = self.parameters.bounds(&volume)?;
         let grid = Grid::new(volume, filter, bounds, Rescale { scale, offset })?;
-        let own = Ray { origin: self.parameters.origin, direction: self.parameters.direction };
-        let Ray { origin, direction } = resolver.ray().unwrap_or(own);
+        let Ray { origin, direction } = self.parameters.ray(resolver)?;
         Ok(Built::Grey(Arc::new(grid.ray(origin, direction)?)))
     }
 }

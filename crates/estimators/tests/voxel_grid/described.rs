@@ -45,6 +45,24 @@ fn a_case_describes_it() {
 }
 
 #[test]
+fn a_case_with_rays_needs_no_other() {
+    let (ray, both) = (Ray { origin: at([0.5; 3]), direction: [0.0, 0.0, -3.0] }, Folder(None));
+    let [origin, direction] = [r#", "origin": [0.1, 0.2, 1.3]"#, r#", "direction": [0, 1, 1.5]"#];
+    for (left, missing) in
+        [(vec![origin, direction], "origin"), (vec![origin], "origin"), (vec![direction], "direction")]
+    {
+        let text = left.iter().fold(JSON.to_string(), |text, key| text.replace(key, ""));
+        let without: AnyMedium = serde_json::from_str(&text).unwrap();
+        let again: AnyMedium = serde_json::from_str(&serde_json::to_string(&without).unwrap()).unwrap();
+        assert_eq!(again, without);
+        close(built(&without, &Folder(Some(ray))).length(), 1.25, 1e-15, "the ray of the case, from the middle");
+        let why = without.build(&both).map(|_| String::new()).unwrap_or_else(|why| why.to_string());
+        let due = format!("{missing} must be three numbers, unless the case has `rays`, not missing");
+        assert_eq!(why, due);
+    }
+}
+
+#[test]
 fn a_wrong_case_is_refused() {
     let changes = [
         (r#""scale""#, r#""scales""#),

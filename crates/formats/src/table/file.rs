@@ -3,7 +3,7 @@
 use super::layout::{Begun, Layout};
 use super::{Format, Table, TableRequest};
 use crate::error::{ReadError, Refusal};
-use crate::open::Regular;
+use crate::open::{Regular, foreign, head};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -34,8 +34,8 @@ impl TableFile {
     /// further than its first row.
     pub fn open(path: &Path, wanted: &TableRequest) -> Result<Self, ReadError> {
         let begin = || {
-            let format = wanted.format.map_or_else(|| by_ending(path), Ok)?;
-            let Regular { file, size } = Regular::open(path)?;
+            let Regular { mut file, size } = Regular::open(path)?;
+            let format = wanted.format.map_or_else(|| by_ending(path, &mut file), Ok)?;
             let begun = Begun::new(Box::new(file), format, wanted)?;
             let rows = begun.layout.whole(begun.rows, size)?;
             Ok(Self::begun(Some(path), begun, rows))
@@ -101,16 +101,18 @@ fn shown(path: Option<&Path>) -> &Path {
     path.unwrap_or(Path::new("standard input"))
 }
 
-/// The format that the ending of the name tells.
-fn by_ending(path: &Path) -> Result<Format, Refusal> {
+/// The format that the ending of the name tells; where it tells none, the first bytes may tell what else the file is.
+fn by_ending(path: &Path, file: &mut dyn Read) -> Result<Format, Refusal> {
     match path.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
         Some("f64") => Ok(Format::F64),
         Some("npy") => Ok(Format::Npy),
         Some("csv") => Ok(Format::Csv),
         Some("txt") => Ok(Format::Txt),
-        _ => Err(Refusal::new(
-            "its name does not tell its format",
-            ".npy, .csv, .txt or .f64, not compressed, or a stated `format`",
-        )),
+        Some(_) | None => Err(foreign(&head(file)?).unwrap_or_else(unnamed)),
     }
+}
+
+fn unnamed() -> Refusal {
+    let allowed = ".npy, .csv, .txt or .f64, not compressed, or a stated `format`";
+    Refusal::new("its name does not tell its format", allowed)
 }

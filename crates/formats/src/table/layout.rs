@@ -5,8 +5,8 @@ use super::text::Text;
 use super::{Format, Head, Selected, Table, TableRequest};
 use crate::error::Refusal;
 use crate::npy::Header;
-use crate::open::Regular;
-use std::io::{Read, Seek, SeekFrom};
+use crate::open::{Regular, foreign_to_doubles, head};
+use std::io::{Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// The most numbers in a row.
@@ -94,6 +94,11 @@ impl Begun {
         let (layout, rows) = match format {
             Format::Npy => npy(&Header::read(&mut input, TYPES)?, wanted)?,
             Format::F64 => {
+                let head = head(&mut input)?;
+                if let Some(refusal) = foreign_to_doubles(&head) {
+                    return Err(refusal);
+                }
+                input = Box::new(Cursor::new(head).chain(input));
                 let (cell, across) = (Cell { single: false, big_endian: false }, wanted.across);
                 let selected = (wanted.select)(&Head::unnamed(across))?;
                 (Layout::Binary { cell, start: 0, across, selected }, None)

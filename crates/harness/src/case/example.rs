@@ -1,5 +1,5 @@
-//! The simplest value of a definition in the schema: the example that it states, else required parameters only, and bounds, which
-//! few files know.
+//! The simplest value of a definition in the schema: the example that it states, else required parameters only, and those of a grid
+//! that only some files and cases know.
 
 use super::schema::{resolve, variants};
 use serde_json::{Map, Value, json};
@@ -17,9 +17,10 @@ pub fn value(schema: &Value, name: &str, node: &Value) -> Value {
     }
     if let Some(properties) = node["properties"].as_object() {
         let required = node["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
-        let bounds = properties.contains_key("bounds").then_some("bounds");
+        let grid = properties.contains_key("bounds");
+        let of_grid = ["bounds", "origin", "direction"].into_iter().filter(|_| grid);
         let fields =
-            required.chain(bounds).map(|field| (field.to_string(), value(schema, field, &properties[field])));
+            required.chain(of_grid).map(|field| (field.to_string(), value(schema, field, &properties[field])));
         return Value::Object(fields.collect::<Map<_, _>>());
     }
     if let Some((first, body, _)) = variants(schema, node).into_iter().next() {

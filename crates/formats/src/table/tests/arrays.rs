@@ -43,6 +43,29 @@ fn arrays_that_are_no_rows_are_refused() {
 }
 
 #[test]
+fn containers_are_told_whatever_the_ending() {
+    let array = "as numpy.save writes it";
+    let containers: [(&[u8], &str); 4] = [
+        (b"PK\x03\x04\x14\x00 and more", "it is a zip archive, as numpy.savez writes one (a single array, "),
+        (b"\x89HDF\r\n\x1a\n and more", "it is an HDF5 file (an array, "),
+        (b"MATLAB 5.0 MAT-file, Platform: GLNXA64", "it is a MATLAB file (an array, "),
+        (b"MATLAB 7.3 MAT-file, Platform: GLNXA64", "it is a MATLAB file (an array, "),
+    ];
+    for (bytes, what) in containers {
+        for name in ["a.npz", "a.h5", "a.mat", "a", "a.npy", "a.csv", "a.txt", "a.f64"] {
+            refused(&[(name, bytes, &["0"], what), (name, bytes, &["0"], array)]);
+        }
+    }
+    refused(&[
+        ("a.csv.gz", b"\x1f\x8b\x08 and more", &["0"], "it is compressed by gzip (an uncompressed file)"),
+        ("a.dat", b"0.5", &["0"], "its name does not tell its format (.npy, .csv, .txt or .f64"),
+        ("a", b"", &["0"], "its name does not tell its format"),
+    ]);
+    let doubles = doubles(&[f64::from_le_bytes(*b"\x1f\x8b\x08abcd?"), 1.0]);
+    assert!(read("a.f64", &doubles, &["0"]).is_ok(), "two bytes begin a double by chance");
+}
+
+#[test]
 fn a_file_cut_short_is_refused_wherever_it_ends() {
     let whole = npy("<f4", "(6,)", &doubles(&[0.5; 3]));
     assert!(read("a.npy", &whole, &["0"]).is_ok());

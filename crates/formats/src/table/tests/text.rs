@@ -31,7 +31,7 @@ fn text_that_is_no_table_of_numbers_is_refused_at_its_place() {
         ("r.csv", b"scatter\n0.5\nscatter\n", first, "line 3, column 1"),
         ("s.csv", b"\xff\n\xff\n", first, "line 2, column 1"),
         ("t.dat", b"0.5\n", first, "its name does not tell its format"),
-        ("t.npy.gz", b"\x1f\x8b\x08", first, ".f64, not compressed, or a stated `format`)"),
+        ("t.npy.gz", b"\x1f\x8b\x08", first, "it is compressed by gzip (an uncompressed file)"),
     ]);
 }
 
