@@ -1,4 +1,4 @@
-//! What an engineer writes by hand: generic loops, xoshiro256++, the logarithm, exponential and sine of the platform.
+//! Walks as an engineer writes them: generic loops, xoshiro256++, the logarithm, exponential and sine of the platform.
 
 #![expect(clippy::disallowed_methods, reason = "the loops to compare with use what the platform offers")]
 

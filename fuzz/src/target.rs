@@ -1,4 +1,4 @@
-//! What is fuzzed: one reader each.
+//! The targets that are fuzzed: one reader each.
 
 use crate::judge::{Bounds, Reader, SMALL};
 use std::path::Path;

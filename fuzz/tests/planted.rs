@@ -1,4 +1,4 @@
-//! What must be found is found: each planted reader is wrong in one way.
+//! Planted readers, each wrong in one way: what must be found is found.
 
 use std::process::Command;
 

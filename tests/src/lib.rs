@@ -1,4 +1,4 @@
-//! What the proofs share: the shipped cases, and a run of them.
+//! Parts of the proofs: the shipped cases, and a run of them.
 
 pub mod tools;
 

@@ -1,4 +1,4 @@
-//! What tests of other languages need, and which of them a machine without it leaves out.
+//! Tools that tests of other languages need, and the tests that a machine without them leaves out.
 //!
 //! The tests that need tools take this file in as it stands.
 

@@ -1,4 +1,4 @@
-//! What happens at the very ends of a ray, and nowhere else: Berk-Jones sees it.
+//! Mutants at the very ends of a ray, and nowhere else: Berk-Jones sees them.
 
 use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::FreePathClaims;

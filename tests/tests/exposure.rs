@@ -1,4 +1,4 @@
-//! What the exposure score is for: an extinction that is off by one factor everywhere.
+//! The purpose of the exposure score: to see an extinction that is off by one factor everywhere.
 
 use freepath_draws::Key;
 use freepath_draws::random::exponential;

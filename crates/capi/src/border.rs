@@ -1,4 +1,4 @@
-//! What crosses the border and what must not.
+//! Tests of what crosses the border and what must not.
 #![allow(unsafe_code, reason = "the tests are the caller from C")]
 #![allow(clippy::disallowed_methods, reason = "as a caller would write it")]
 

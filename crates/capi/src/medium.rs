@@ -1,4 +1,4 @@
-//! What a callback sees of the medium.
+//! The medium as a callback sees it.
 
 use freepath_estimators::Extinction;
 use std::any::Any;

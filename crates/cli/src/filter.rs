@@ -1,4 +1,4 @@
-//! Which subjects are run.
+//! The choice of the subjects that are run.
 
 use crate::command_error::CommandError;
 use freepath_harness::case::Prepared;

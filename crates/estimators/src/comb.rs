@@ -87,7 +87,7 @@ impl Comb {
         self.h * sum.total[0]
     }
 
-    /// Where, as a fraction of a step, some point of the comb meets one of the `breaks`: increasing, inside (0, 1).
+    /// The fractions of a step where some point of the comb meets one of the `breaks`: increasing, inside (0, 1).
     pub(crate) fn jumps(&self, breaks: &[f64]) -> Vec<f64> {
         let fraction = |b: &f64| b / self.h - (b / self.h).floor();
         let inner = |&v: &f64| v > 1e-12 && v < 1.0 - 1e-12;

@@ -59,7 +59,7 @@ pub use tile::walks;
 /// A tentative collision: where, with what, and a uniform if the rule asked for one.
 #[derive(Clone, Copy, Debug)]
 pub struct Collision {
-    /// Where.
+    /// The place.
     pub t: f64,
     /// Extinction there.
     pub mu: f64,

@@ -1,4 +1,4 @@
-//! How numbers are stored.
+//! The encoding of numbers.
 
 /// A type of stored numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

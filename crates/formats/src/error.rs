@@ -1,4 +1,4 @@
-//! Why bytes are not used.
+//! Reasons why bytes are not used.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
@@ -32,7 +32,7 @@ impl fmt::Display for ReadError {
 
 impl std::error::Error for ReadError {}
 
-/// Why some bytes cannot be used, whatever file they are from, and what is allowed.
+/// The reason why some bytes cannot be used, whatever file they are from, and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     pub(crate) cause: String,

@@ -1,4 +1,4 @@
-//! Which files are opened at all, and what a file is that begins as none of those that are read.
+//! Files that are opened at all, and words for one that begins as none of those that are read.
 
 use crate::error::Refusal;
 use std::fs::File;

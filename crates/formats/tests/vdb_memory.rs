@@ -1,4 +1,5 @@
-//! What reading a `.vdb` file costs in memory, whatever its bytes say. Alone in its program, where no other test allocates.
+//! The cost in memory of reading a `.vdb` file, whatever its bytes say. Alone in its program, where no other test
+//! allocates.
 
 use freepath_formats::{VolumeRequest, read_volume};
 use peak_alloc::PeakAlloc;

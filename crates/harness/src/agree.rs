@@ -71,7 +71,7 @@ impl Agreement {
 
 /// The other setting of one agreement.
 pub struct Variant<'a> {
-    /// Which.
+    /// The agreement.
     pub agreement: Agreement,
     /// The subject there.
     pub experiment: Box<dyn Experiment + 'a>,

@@ -19,7 +19,7 @@ use worker::{BlockParts, Workers};
 /// Blocks whose float sums are held at a time.
 const WAVE: u64 = 256;
 
-/// Why a range of blocks was not finished.
+/// The reason why a range of blocks was not finished.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stopped {
     /// The subject panicked or ran past its budget, in words.

@@ -119,7 +119,7 @@ fn bias_of_means(subject: &Subject, functional: &Functional, scrambles: &[PowerS
     }
 }
 
-/// Why the means of scrambles say nothing of their spread.
+/// The reason why the means of scrambles say nothing of their spread.
 fn refusal(scrambles: &[PowerSums]) -> Option<String> {
     let bad: u64 = scrambles.iter().map(|sums| sums.non_finite).sum();
     if bad > 0 {

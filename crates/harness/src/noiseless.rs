@@ -1,4 +1,4 @@
-//! What statistics cannot see: scripted generators and identities, for every subject and without noise.
+//! Checks of what statistics cannot see: scripted generators and identities, for every subject and without noise.
 
 use crate::experiment::Plan;
 use crate::identities;

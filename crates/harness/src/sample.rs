@@ -21,7 +21,7 @@ pub(crate) struct BlockRecord {
     pub seconds: f64,
 }
 
-/// Why a block was not finished.
+/// The reason why a block was not finished.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Unfinished {
     /// The subject ran past its budget of look-ups or random words, in words.

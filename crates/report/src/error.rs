@@ -1,17 +1,17 @@
-//! What can go wrong while a report is made.
+//! Errors while a report is made.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Why a report could not be made.
+/// The reason why a report could not be made.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum ReportError {
     /// A file or folder could not be written.
     Write {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         cause: std::io::Error,
     },
     /// A plot could not be drawn.

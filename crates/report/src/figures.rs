@@ -1,4 +1,4 @@
-//! Which plots a report has, and under which names.
+//! The plots of a report, and their names.
 
 mod ladders;
 

@@ -1,4 +1,4 @@
-//! Which items of a long list have room: those that are not as expected before all others.
+//! The items of a long list that have room: those that are not as expected before all others.
 
 /// The indices of what is shown, ascending: at most `most`, and what is `odd` first of all.
 pub(crate) fn at_most<T>(items: &[T], most: usize, odd: impl Fn(&T) -> bool) -> Vec<usize> {

@@ -41,7 +41,7 @@ pub struct Atom {
 /// Empirical minus analytic CDF at some t, escapes included.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct CdfSeries {
-    /// Where.
+    /// The distances t.
     pub t: Vec<Real>,
     /// F_n(t) - F(t).
     pub difference: Vec<Real>,

@@ -1,7 +1,7 @@
 //! Results: the types of `results.json`, `timings.json`, `power.json` and `soak.json`, and the words of verdicts and reasons.
 //!
-//! What a run writes and every tool reads. Fields are added, never renamed. This crate knows no sampler, no medium and no
-//! statistics: its numbers are as they were found, and [`Real`] prints each the same way everywhere.
+//! Data that a run writes and every tool reads. Fields are added, never renamed. This crate knows no sampler, no medium
+//! and no statistics: its numbers are as they were found, and [`Real`] prints each the same way everywhere.
 //!
 //! ```
 //! use freepath_results::{Reason, Verdict};

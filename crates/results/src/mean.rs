@@ -70,7 +70,7 @@ pub struct Efficiency {
     pub exact: bool,
     /// May stand in a ranking.
     pub ranked: bool,
-    /// Why not, in words.
+    /// The reason why not, in words.
     #[serde(skip_serializing_if = "String::is_empty", default)]
     pub refusal: String,
 }

@@ -27,7 +27,7 @@ pub struct MediumResult {
 /// mu, its majorant, tau and T along the ray.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct MediumSeries {
-    /// Where.
+    /// The distances along the ray.
     pub t: Vec<Real>,
     /// Extinction.
     pub mu: Vec<Real>,

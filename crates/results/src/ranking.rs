@@ -59,6 +59,6 @@ pub struct RankedPair {
 pub struct Refused {
     /// Its id among the results.
     pub id: String,
-    /// Why, in words.
+    /// The reason, in words.
     pub why: String,
 }

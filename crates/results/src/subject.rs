@@ -24,7 +24,7 @@ pub struct SubjectResult {
     pub parameters: serde_json::Value,
     /// The decision.
     pub verdict: Verdict,
-    /// Why, if not a pass: most telling first.
+    /// The reasons, if not a pass: most telling first.
     pub reasons: Vec<Reason>,
     /// One sentence for each reason or gate: what, by how much, with which p-value.
     pub notes: Vec<String>,
@@ -111,7 +111,7 @@ pub struct TestResult {
     pub rejected: bool,
     /// The reason code that a rejection gives.
     pub reason: Reason,
-    /// Why there is no p-value, or what the statistic is made of.
+    /// The reason why there is no p-value, or the makings of the statistic.
     #[serde(skip_serializing_if = "String::is_empty", default)]
     pub note: String,
 }

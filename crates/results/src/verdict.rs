@@ -17,7 +17,7 @@ pub enum Verdict {
 
 macro_rules! reasons {
     ($($(#[$doc:meta])* $name:ident = $code:literal: $words:literal,)*) => {
-        /// Why a verdict is not a pass, most telling first.
+        /// The reason why a verdict is not a pass, most telling first.
         #[derive(
             Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, schemars::JsonSchema,
         )]

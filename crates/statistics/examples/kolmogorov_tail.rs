@@ -1,4 +1,4 @@
-//! How far the limit law of the Kolmogorov-Smirnov distance is from the exact one, and where.
+//! The distance of the limit law of the Kolmogorov-Smirnov distance from the exact one, and its place.
 
 use freepath_statistics::special::ks_two_sided;
 

@@ -83,7 +83,7 @@ pub struct Evidence {
     pub null: Null,
     /// The reason that a rejection gives.
     pub reason: Reason,
-    /// Why there is no p-value, or what the statistic is made of.
+    /// The reason why there is no p-value, or the makings of the statistic.
     pub note: String,
 }
 

@@ -1,4 +1,4 @@
-//! What a program writes: to standard output, and to standard error.
+//! The output of a program: to standard output, and to standard error.
 
 use super::{PLAIN, Target};
 use crate::judge::{Answer, Bounds, SMALL};

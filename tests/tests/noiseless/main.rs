@@ -1,4 +1,4 @@
-//! What statistics cannot see: scripted generators and identities catch their mutants, and leave right subjects alone.
+//! Faults that statistics cannot see: scripted generators and identities catch mutants, and leave right subjects alone.
 
 mod identities;
 mod rays;

@@ -1,4 +1,4 @@
-//! What is found in a subject, and subjects to look at.
+//! Findings in a subject, and subjects to look at.
 
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::medium::{BoxSpike, Sinusoid};

@@ -1,4 +1,4 @@
-//! How a name stands in a case.
+//! Examples of names in a case.
 
 use freepath_harness::case::KINDS;
 use freepath_harness::case::example::value;

@@ -1,4 +1,4 @@
-//! What cannot be used: exit code 2, a message for each mistake, and no draw.
+//! Input that cannot be used: exit code 2, a message for each mistake, and no draw.
 
 use crate::support::{GOOD, folder, put, run, with_good};
 use std::fs;

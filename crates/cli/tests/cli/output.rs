@@ -1,4 +1,4 @@
-//! What is printed and written, and how the exit code tells of it.
+//! Output, printed and written, and the exit code that tells of it.
 
 use crate::support::{GOOD, contents, folder, freepath, put, run, with_good};
 use freepath_results::{Results, Timings};

@@ -1,4 +1,4 @@
-//! Where tests of programs run.
+//! Folders in which tests of programs run.
 
 use crate::tools::python;
 use std::path::{Path, PathBuf};

@@ -19,7 +19,7 @@ pub enum Curve {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Table {
-    /// Where, increasing from one end of the domain to the other.
+    /// Places, increasing from one end of the domain to the other.
     pub x: Vec<f64>,
     /// The value at each place.
     pub y: Vec<f64>,

@@ -142,8 +142,8 @@ impl Directions {
         self.frame.to_world([sin * sin2pi(azimuth + 0.25), sin * sin2pi(azimuth), 1.0 - depth])
     }
 
-    /// By how much a probability of a rank may be off if each coordinate is off by `tolerance`: a ring or a half plane sweeps over so
-    /// much of the density, at most 2/chord of it for each unit of length.
+    /// The most by which a probability of a rank may be off if each coordinate is off by `tolerance`: a ring or a half
+    /// plane sweeps over so much of the density, at most 2/chord of it for each unit of length.
     #[must_use]
     pub fn slack(&self, tolerance: f64) -> f64 {
         SQRT_2 * tolerance / self.height.sqrt()

@@ -1,7 +1,7 @@
 /// Extinction at places along a ray: `mu[i]` at `t[i]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Nodes {
-    /// Where, increasing from 0; the same twice where extinction may jump.
+    /// Places, increasing from 0; the same twice where extinction may jump.
     pub t: Vec<f64>,
     /// Extinction there, 1/length, finite and not negative.
     pub mu: Vec<f64>,

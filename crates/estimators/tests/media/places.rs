@@ -1,4 +1,4 @@
-//! Where a medium is looked at.
+//! Places at which a medium is looked at.
 
 use freepath_estimators::Medium;
 

@@ -1,4 +1,4 @@
-//! What mu is between breaks, and its extrema there.
+//! The extinction between breaks, and its extrema there.
 
 use crate::rays::{cells, close, each_ray, grid, points, rays, rough, seen, turns};
 use freepath_estimators::medium::voxel_grid::Filter;

@@ -1,4 +1,4 @@
-//! How the rows of a table are written, and which columns are wanted.
+//! The layout of the rows of a table, and the columns that are wanted.
 
 use super::binary::{Binary, Cell};
 use super::text::Text;

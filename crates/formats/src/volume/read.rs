@@ -1,4 +1,4 @@
-//! Which reader a file is for.
+//! The choice of a file's reader.
 
 use super::{Volume, VolumeRequest, npy, raw, vdb, vol};
 use crate::error::{ReadError, Refusal};

@@ -1,4 +1,4 @@
-//! What can be refused before a medium is built: kinds, names, faults, efforts.
+//! Refusals before a medium is built: of kinds, names, faults, efforts.
 
 use super::any_named::AnyNamed;
 use super::{CaseError, CaseFile, KINDS, MOST_DRAWS, SubjectSpec};

@@ -2,7 +2,7 @@ use crate::diagnose::Diagnosis;
 use std::fmt;
 use std::path::Path;
 
-/// Why a case cannot be used.
+/// The reason why a case cannot be used.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CaseError {
     /// The file cannot be read: one sentence.

@@ -1,4 +1,4 @@
-//! What a subject is called.
+//! The name of a subject.
 
 use super::any_named::AnyNamed;
 use super::preparing::Overrides;

@@ -1,4 +1,4 @@
-//! What is under test, by its name in a case: the harness's own source, draws made elsewhere, or a sampler of a list.
+//! The value under test, by its name in a case: the harness's own source, draws made elsewhere, or a sampler of a list.
 
 use super::built_in::{COMMAND, SAMPLES, built_in};
 use super::command::Command;

@@ -32,7 +32,7 @@ pub(crate) struct Overrides<'a> {
 }
 
 impl Preparing<'_> {
-    /// Why the subject cannot stand in the scene, at its place.
+    /// The reason why the subject cannot stand in the scene, at its place.
     pub(super) fn refusal(&self, kind: &str, refusal: Refusal) -> CaseError {
         match refusal {
             Refusal::Scene(why) => self.file.refuse(&format!("{}.{kind}", self.at), why),
@@ -53,7 +53,7 @@ impl Preparing<'_> {
             .map_err(|why| self.file.refuse(&at, why))
     }
 
-    /// Why the parameters of a sampler do not fit the scene, at their place.
+    /// The reason why the parameters of a sampler do not fit the scene, at their place.
     pub(super) fn unfit(&self, kind: &str, name: &str, why: ParameterError) -> CaseError {
         let at = format!("{}.{kind}.{name}.{}", self.at, why.name());
         self.file.refuse(&at, why)

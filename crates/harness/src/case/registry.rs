@@ -103,7 +103,7 @@ impl Lists {
     }
 }
 
-/// Why lists cannot be used.
+/// The reason why lists cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ListError {
     /// A name that is built in, or stands in another list of its kind.

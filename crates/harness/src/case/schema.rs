@@ -1,4 +1,4 @@
-//! How one walks through the schema of a case.
+//! Steps through the schema of a case.
 
 use serde_json::Value;
 

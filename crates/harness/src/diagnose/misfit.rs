@@ -1,4 +1,4 @@
-//! Why a tree is not the value that was asked for, and where.
+//! The misfit of a tree to the value that was asked for, and its place.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use super::words::unknown;
 
 mod kinds;
 
-/// Why a tree is not the value that was asked for. The path grows as the error leaves the values it occurred in.
+/// The misfit of a tree to the value that was asked for. The path grows as the error leaves the values it occurred in.
 #[derive(Debug)]
 pub(super) struct Misfit {
     cause: Cause,

@@ -46,7 +46,7 @@ impl<'a, K: Kind> Source<'a, K> {
 pub struct InScene<'a, K: Kind> {
     /// The source of the draws.
     pub source: Source<'a, K>,
-    /// Where.
+    /// The scene.
     pub scene: K::Scene<'a>,
 }
 

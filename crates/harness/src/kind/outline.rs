@@ -1,7 +1,7 @@
 use freepath_estimators::Medium;
 use freepath_estimators::medium::ChromaticMedium;
 
-/// Why a scene cannot be that of a subject.
+/// The reason why a scene cannot be that of a subject.
 pub enum Refusal {
     /// The kind needs another scene.
     Scene(String),

@@ -25,7 +25,7 @@ pub enum PlacedSource<K: Kind> {
 pub struct Placed<K: Kind> {
     /// The source of the draws.
     pub source: PlacedSource<K>,
-    /// Where.
+    /// The scene.
     pub scene: K::Placed,
 }
 

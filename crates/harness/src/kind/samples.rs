@@ -1,4 +1,4 @@
-//! What a case or a command line says of a file of samples.
+//! The arguments of a case or a command line on a file of samples.
 
 use super::{Body, Outline};
 use crate::samples::{Escape, RowFormat};

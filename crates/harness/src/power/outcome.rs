@@ -1,4 +1,4 @@
-//! What one number of draws gives.
+//! The outcome of one number of draws.
 
 use crate::run::Trial;
 use freepath_results::{Real, Reason, Rung, Sighting};

@@ -1,4 +1,4 @@
-//! How long a program may take.
+//! Limits on the time that a program may take.
 
 /// Seconds of silence after which a program is killed, unless a case says otherwise.
 pub(crate) const IDLE: f64 = 60.0;

@@ -1,4 +1,4 @@
-//! Where there are no process groups, programs are refused.
+//! Programs on a system without process groups: they are refused.
 
 use super::log::Log;
 use freepath_formats::Refusal;

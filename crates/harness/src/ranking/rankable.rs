@@ -24,7 +24,7 @@ pub(crate) enum Rankable {
     Ranked(LnWork),
     /// It has no variance: nothing to compare.
     Exact,
-    /// Why not, in words.
+    /// The reason why not, in words.
     Refused(String),
 }
 
@@ -35,7 +35,7 @@ const KURTOSES: (f64, f64) = (0.01, 0.1);
 /// Fewest groups of blocks that are resampled, and how often.
 const FEWEST_GROUPS: usize = 50;
 const RESAMPLES: u64 = 1000;
-/// By how many standard errors a sample variance may miss its formula: what misses it by more has a tail that was not seen.
+/// The most standard errors by which a sample variance may miss its formula: beyond them there is a tail not seen.
 const FARTHEST: f64 = 5.0;
 
 /// ln(V C) of one estimator, with an interval that can be trusted, or why there is none.

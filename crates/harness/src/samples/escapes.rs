@@ -1,4 +1,4 @@
-//! What an escape is.
+//! The definition of an escape.
 
 use freepath_draws::simd;
 use schemars::JsonSchema;

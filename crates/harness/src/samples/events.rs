@@ -1,4 +1,4 @@
-//! What a row of several channels tells beside its distance.
+//! The events in a row of several channels, beside its distance.
 
 use freepath_formats::{Refusal, Word};
 

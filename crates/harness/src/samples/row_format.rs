@@ -1,4 +1,4 @@
-//! What a row says: its columns, in the order of files and programs, and how each is read.
+//! The format of a row: its columns, in the order of files and programs, and how each is read.
 
 use super::escapes::{EscapeRule, Escapes};
 use super::events::EVENT_WORDS;

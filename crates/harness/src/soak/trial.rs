@@ -1,4 +1,4 @@
-//! What is soaked: subjects whose claims hold.
+//! The subjects that are soaked: those whose claims hold.
 
 use crate::case::{Prepared, PreparedSubject};
 use crate::collect::{Stopped, Watch, observe};

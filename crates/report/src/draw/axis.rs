@@ -10,7 +10,7 @@ pub(crate) struct Axis {
     pub(crate) log: bool,
     /// The quantity and its unit.
     pub(crate) label: String,
-    /// Where, and what is written there.
+    /// The place of each tick, and its label.
     pub(crate) ticks: Vec<(f64, String)>,
 }
 

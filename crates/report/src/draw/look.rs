@@ -1,4 +1,4 @@
-//! How shapes look, as the page and as a file of its own say it.
+//! The look of shapes, as the page and as a file of its own say it.
 
 use super::pen::units;
 use super::{Align, Ink, SMALL, Stroke};

@@ -1,4 +1,4 @@
-//! What a script needs to tell the values under the pointer.
+//! The data from which a script tells the values under the pointer.
 
 use super::pen::units;
 use super::{Axis, Frame, Picture};

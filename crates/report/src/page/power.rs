@@ -1,4 +1,4 @@
-//! What it takes to see each planted fault.
+//! The draws that it takes to see each planted fault.
 
 use super::figure::FigureView;
 use crate::figures::Figures;

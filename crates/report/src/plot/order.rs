@@ -1,4 +1,4 @@
-//! How fast the bias of a stepping method falls.
+//! The order at which the bias of a stepping method falls.
 
 use super::{Figure, WIDTH, span};
 use crate::draw::{Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, Stroke};

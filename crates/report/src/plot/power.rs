@@ -1,4 +1,4 @@
-//! How many draws each planted fault needs.
+//! The number of draws that each planted fault needs.
 
 use super::{Figure, WIDTH, span};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Key, Mark, Picture, SMALL, Stroke, width_of};

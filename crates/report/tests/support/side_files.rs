@@ -1,4 +1,4 @@
-//! What `freepath power` and `freepath soak` would leave beside a run.
+//! Results as `freepath power` and `freepath soak` would leave beside a run.
 
 use super::noise::Noise;
 use freepath_report::SideFiles;

@@ -11,7 +11,7 @@ pub struct Contender<'a> {
     pub sums: PowerSums,
     /// The mean that they should have.
     pub truth: MeanClaim,
-    /// By how much its mean is off by design.
+    /// The bias of its mean by design.
     pub design_bias: f64,
     /// The kurtosis by formula, where one is known.
     pub kurtosis: Option<f64>,
@@ -29,7 +29,7 @@ pub struct EfficiencyClaim {
     pub lookups: FoldId<Lookups>,
     /// The mean that they should have.
     pub truth: MeanClaim,
-    /// By how much its mean is off by design.
+    /// The bias of its mean by design.
     pub design_bias: f64,
     /// E[X^k] for k = 1 to 6, by formula.
     pub moments: Option<[f64; 6]>,

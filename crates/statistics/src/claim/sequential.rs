@@ -47,7 +47,7 @@ pub struct InterimLook {
     pub p: f64,
     /// The method that made them.
     pub method: &'static str,
-    /// Why there is no bound.
+    /// The reason why there is no bound.
     pub withheld: Option<(Reason, String)>,
 }
 

@@ -16,7 +16,7 @@ pub struct TiesClaim {
     pub written: bool,
 }
 
-/// Why samples tie, as often as not.
+/// The reason why samples tie, as often as not.
 const FEW_DIGITS: &str =
     "numbers printed with few digits repeat: print 17, or state `resolution_bits` and `tolerance`";
 

@@ -11,7 +11,7 @@ const LARGEST_SHARE: f64 = 0.05;
 /// Most variance of the variance (Forster, Booth, Pederson and Weller in MCNP; Geant4).
 const LARGEST_VOV: f64 = 0.1;
 
-/// Why no interval that rests on the central limit theorem can be trusted, if any reason shows in the draws:
+/// The reason why no interval that rests on the central limit theorem can be trusted, if one shows in the draws:
 ///
 /// - fewer than 100 draws differ from 0: `rare_event`;
 /// - the tail of |x|, if neither a range nor a formula says that there is a variance, has a Pareto shape of 1/2 or more, so that there is no variance
@@ -43,7 +43,7 @@ pub fn clt_gate(sums: &PowerSums) -> Option<(Reason, String)> {
     None
 }
 
-/// Why a mean has no p-value: what [`clt_gate`] says, or else its skewness.
+/// The reason why a mean has no p-value: what [`clt_gate`] says, or else its skewness.
 pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (Reason, String) {
     let n = sums.n as f64;
     let error = (sums.variance() / n).sqrt();

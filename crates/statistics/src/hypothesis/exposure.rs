@@ -35,7 +35,7 @@ struct Exposure {
     total: f64,
     variance: f64,
     skewness: f64,
-    /// By how much the mean score may be off for each unit of the law's slack.
+    /// The most by which the mean score may be off for each unit of the law's slack.
     variation: f64,
 }
 

@@ -31,7 +31,7 @@ pub(super) struct Edge {
     pub(super) gap: f64,
 }
 
-/// Why the limit laws may not be used on the cells, if so.
+/// The reason why the limit laws may not be used on the cells, if so.
 pub(super) fn gate(law: &Law, m: u64) -> Option<String> {
     let share = |k| law.mass(k) / law.collided();
     let heaviest = (0..law.cells()).map(share).fold(0.0, crate::larger::larger);

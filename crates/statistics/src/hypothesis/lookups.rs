@@ -38,7 +38,7 @@ impl BlockLookups {
         self.merge(&Self { blocks: 1, sum: lookups, squares: lookups * lookups });
     }
 
-    /// Whether, all blocks being alike, every draw must have cost the same: nothing, or a whole number in each of several
+    /// True if, blocks being alike, every draw must have cost the same: nothing, or a whole number in each of several
     /// blocks, which draws of random cost seldom add up to.
     fn steady(&self, rows: usize) -> bool {
         let whole = self.sum.is_multiple_of(u128::from(self.blocks) * rows as u128);

@@ -75,7 +75,7 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
     (evidence.noted_if_empty(&words(sums, claim, method)), interval(sums, claim, method, REPORTING_LEVEL))
 }
 
-/// Why the mean has no p-value.
+/// The reason why the mean has no p-value.
 #[must_use]
 pub fn undecided(sums: &PowerSums, claim: &MeanClaim) -> (Reason, String) {
     withheld(sums, claim, skewness(sums, claim))

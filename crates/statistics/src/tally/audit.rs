@@ -16,7 +16,7 @@ pub struct Audit {
 /// A look-up whose mu is not within its bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excess {
-    /// Where.
+    /// The place.
     pub t: f64,
     /// The value of mu found there.
     pub mu: f64,

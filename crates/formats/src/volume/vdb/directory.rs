@@ -1,4 +1,4 @@
-//! What stands before the grids, and where each grid is.
+//! The part before the grids, and the place of each grid.
 
 use super::bytes::Source;
 use super::corrupt::corrupt;

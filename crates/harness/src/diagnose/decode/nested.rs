@@ -1,4 +1,4 @@
-//! What stands in brackets: lists and objects.
+//! Values in brackets: lists and objects.
 
 use serde::de::{DeserializeSeed, Error, MapAccess, SeqAccess, Visitor};
 

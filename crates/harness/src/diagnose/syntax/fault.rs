@@ -1,4 +1,4 @@
-//! What is wrong with the grammar of a text.
+//! A fault in the grammar of a text.
 
 use std::ops::Range;
 

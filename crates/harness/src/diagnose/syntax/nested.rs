@@ -1,4 +1,4 @@
-//! What stands in brackets: lists and objects.
+//! Values in brackets: lists and objects.
 
 use std::collections::HashMap;
 use std::ops::Range;

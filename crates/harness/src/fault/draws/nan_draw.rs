@@ -13,7 +13,7 @@ use freepath_estimators::parameter::require;
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NanDraw {
-    /// Which, from 0.
+    /// The walk that becomes NaN, from 0.
     walk: u64,
     /// Of how many.
     of: u64,

@@ -106,7 +106,7 @@ struct Quality {
     off: f64,
     /// The greatest mu.
     greatest: f64,
-    /// By how much mu changes when its place is rounded.
+    /// The change of mu when its place is rounded.
     blur: f64,
     /// The distance between them in optical depth.
     depth: f64,

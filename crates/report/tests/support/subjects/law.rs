@@ -1,4 +1,4 @@
-//! What a free-path sampler would show.
+//! Results as a free-path sampler would show.
 
 use super::super::media::Medium;
 use super::super::noise::Noise;

@@ -1,4 +1,4 @@
-//! What a transmittance estimator and a chromatic sampler would show.
+//! Results as a transmittance estimator and a chromatic sampler would show.
 
 use super::super::media::Medium;
 use super::super::noise::Noise;

@@ -1,4 +1,4 @@
-//! Which made-up subjects meet which medium.
+//! The made-up subjects that meet each medium.
 
 use super::super::media::Medium;
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! Where along the ray a law breaks: a diagnosis beside the tests.
+//! Places along the ray where a law breaks: a diagnosis beside the tests.
 
 use crate::decide::STAGE_ALPHA;
 use crate::evidence::REPORTING_LEVEL;

@@ -1,4 +1,4 @@
-//! What the plots of a law draw.
+//! The series that the plots of a law draw.
 
 use crate::evidence::REPORTING_LEVEL;
 use crate::hypothesis::residuals;
