@@ -6,7 +6,7 @@ use super::{Format, Head, Selected, Table, TableRequest};
 use crate::error::Refusal;
 use crate::npy::Header;
 use crate::open::{Regular, foreign_to_doubles, head};
-use std::io::{Cursor, Read, Seek, SeekFrom};
+use std::io::{Cursor, ErrorKind, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// The most numbers in a row.
@@ -94,11 +94,7 @@ impl Begun {
         let (layout, rows) = match format {
             Format::Npy => npy(&Header::read(&mut input, TYPES)?, wanted)?,
             Format::F64 => {
-                let head = head(&mut input)?;
-                if let Some(refusal) = foreign_to_doubles(&head) {
-                    return Err(refusal);
-                }
-                input = Box::new(Cursor::new(head).chain(input));
+                input = begun_doubles(input)?;
                 let (cell, across) = (Cell { single: false, big_endian: false }, wanted.across);
                 let selected = (wanted.select)(&Head::unnamed(across))?;
                 (Layout::Binary { cell, start: 0, across, selected }, None)
@@ -133,4 +129,26 @@ fn npy(header: &Header, wanted: &TableRequest) -> Result<(Layout, Option<u64>), 
     let across = across as usize;
     let selected = (wanted.select)(&Head::unnamed(across))?;
     Ok((Layout::Binary { cell, start: header.start, across, selected }, Some(rows)))
+}
+
+/// Doubles without a header, from the first on, unless their first bytes are those of another format. An input that cannot be read
+/// says so where its rows are read, as it would without this look.
+fn begun_doubles(mut input: Box<dyn Read + Send>) -> Result<Box<dyn Read + Send>, Refusal> {
+    let head = match head(&mut input) {
+        Ok(head) => head,
+        Err(why) => return Ok(Box::new(Broken(why.kind(), why.to_string()))),
+    };
+    match foreign_to_doubles(&head) {
+        Some(refusal) => Err(refusal),
+        None => Ok(Box::new(Cursor::new(head).chain(input))),
+    }
+}
+
+/// An input whose every read fails: its kind of error, in words.
+struct Broken(ErrorKind, String);
+
+impl Read for Broken {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::Error::new(self.0, self.1.clone()))
+    }
 }

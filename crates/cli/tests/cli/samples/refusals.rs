@@ -5,13 +5,15 @@ fn what_cannot_be_judged_is_refused_in_one_line() {
     let folder = ready("check_refused");
     put(&folder, "text.csv", "t\n0.5\nsecret\n");
     put(&folder, "empty.txt", "");
+    put(&folder, "mine.dat", "0.5\n");
     put(&folder, "cut.npy", "\u{93}NUMPY");
     for (args, part) in [
         (&["absent.csv"][..], "cannot read absent.csv: "),
         (&["text.csv"], "cannot read text.csv: line 3, column 1 is not a number ("),
         (&["empty.txt"], "cannot read empty.txt: it is empty ("),
         (&["cut.npy"], "cannot read cut.npy: it is not a .npy file ("),
-        (&["cases"], "cannot read cases: its name does not tell its format ("),
+        (&["mine.dat"], "cannot read mine.dat: its name does not tell its format ("),
+        (&["cases"], "cannot read cases: it is not a regular file ("),
         (&["cases", "--format", "f64"], "cannot read cases: it is not a regular file ("),
         (&["mine.csv", "--column", "x"], "it has no column \"x\" ("),
         (&["mine.csv", "--weight", "w"], "it has no column \"w\" ("),
