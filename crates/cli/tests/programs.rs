@@ -20,6 +20,9 @@ mod place;
 #[path = "programs/protocol.rs"]
 mod protocol;
 #[cfg(unix)]
+#[path = "programs/rows.rs"]
+mod rows;
+#[cfg(unix)]
 #[path = "programs/scripts.rs"]
 mod scripts;
 #[path = "cli/support.rs"]
@@ -33,7 +36,7 @@ mod tools;
 #[cfg(unix)]
 fn main() {
     let filter = std::env::args().skip(1).find(|word| !word.starts_with('-')).unwrap_or_default();
-    let all = [errors::TESTS, lives::TESTS, protocol::TESTS, adapters::TESTS, media::TESTS];
+    let all = [errors::TESTS, lives::TESTS, protocol::TESTS, rows::TESTS, adapters::TESTS, media::TESTS];
     let chosen = || all.iter().copied().flatten().filter(|(name, ..)| name.contains(&filter));
     if std::env::args().any(|word| word == "--list") {
         chosen().for_each(|(name, ..)| println!("{name}: test"));

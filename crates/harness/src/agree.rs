@@ -101,6 +101,7 @@ pub fn agree(
     let key = subject.key ^ crate::hash::hash(variant.agreement.test());
     let there = Subject { experiment: &*variant.experiment, key, ..subject.clone() };
     let claimed = there.plan();
+    let there = own.assumed.map_or(there.clone(), |probable| there.assuming(probable));
     let other = collect(&there, &claimed.claims.folds, seed, blocks, watch)?.tallies;
     let test = Agreed {
         name: variant.agreement.test(),

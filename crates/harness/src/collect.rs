@@ -84,9 +84,30 @@ pub fn observe(
     let key = Key { seed, subject: subject.key, block: blocks.start };
     let beside = plan.beside.iter().map(|beside| one_block(subject, beside, key).map_err(Stopped::Subject));
     let beside = if blocks.is_empty() { Vec::new() } else { beside.collect::<Result<_, _>>()? };
-    let mut collected = collect(subject, &plan.claims.folds, seed, blocks, watch)?;
+    let mut collected = with_escapes(subject, plan, seed, blocks, watch)?;
     collected.tallies.beside = beside;
     Ok(collected)
+}
+
+/// The draws of `blocks`; once more with what probably stands for an escape counted as one, if they can be had again.
+fn with_escapes(
+    subject: &Subject,
+    plan: &Plan,
+    seed: u64,
+    blocks: Range<u64>,
+    watch: &Watch,
+) -> Result<Collected, Stopped> {
+    let collected = collect(subject, &plan.claims.folds, seed, blocks.clone(), watch)?;
+    let Some(probable) = plan.claims.probable_escape(&collected.tallies) else { return Ok(collected) };
+    let silent = Watch { progress: &|_| (), ..*watch };
+    match collect(&subject.assuming(probable), &plan.claims.folds, seed, blocks, &silent) {
+        Ok(mut again) => {
+            again.tallies.assumed = Some(probable);
+            Ok(again)
+        }
+        Err(Stopped::Cancelled) => Err(Stopped::Cancelled),
+        Err(Stopped::Subject(_)) => Ok(collected), // a stream is read once
+    }
 }
 
 /// One block of draws beside the subject's own, on streams of their own.

@@ -11,6 +11,8 @@ pub const CHECKS: &[Check] = &[
     check::AUDIT,
     check::FINITE,
     check::SUPPORT,
+    check::EQUAL_BLOCKS,
+    check::SORTED,
     check::VACUUM,
     check::UNIT_WEIGHT,
     scripted::CHECK,

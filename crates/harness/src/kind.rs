@@ -13,6 +13,7 @@ use freepath_statistics::claim::Withdrawal;
 use list::kinds;
 
 mod body;
+mod escaping;
 mod events;
 mod in_scene;
 mod list;

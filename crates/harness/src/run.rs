@@ -158,6 +158,11 @@ fn stage_one<'a>(
         let settings = Settings { prepared, subject: &subject, plan: &plan, seed: options.seed };
         settings.agree(&own.tallies, &(0..Subject::blocks(subject.draws)), &watch, &mut first.judged)?;
     }
+    let assumed = first.collected.as_ref().and_then(|own| own.tallies.assumed);
+    let subject = match assumed {
+        Some(probable) => subject.assuming(probable), // told once, in stage 1
+        None => subject,
+    };
     Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
 }
 

@@ -11,6 +11,7 @@ use freepath_statistics::Fact;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
+pub(crate) use escapes::mark_escapes;
 pub use escapes::{Escape, EscapeRule, Escapes};
 pub use file::{Request, SampleFile};
 pub use row_format::{ColumnFormat, Excess, Fills, Place, Reading, RowFormat};
@@ -43,6 +44,11 @@ pub trait SampleSource: Send + Sync {
     /// True if every draw is made already: then both stages are read, whatever the first one gives, so that all draws
     /// are judged.
     fn finished(&self) -> bool;
+
+    /// True if its numbers are written as text. Provided: they are not.
+    fn is_text(&self) -> bool {
+        false
+    }
 
     /// Facts from a few draws before any stage, without statistics. Provided: none.
     ///

@@ -2,8 +2,10 @@
 
 use crate::experiment::{Experiment, Plan, Terms};
 use crate::fault::Fault;
+use crate::samples::{Escape, EscapeRule};
 use freepath_draws::random::UNIFORM_BITS;
 use freepath_statistics::claim::{BiasBound, Design, Withdrawal};
+use freepath_statistics::fold::ProbableEscape;
 
 pub use crate::blocks::BLOCK;
 pub use crate::experiment::{DRAWS, Route};
@@ -38,6 +40,8 @@ pub struct Subject<'a> {
     pub without: &'a [Withdrawal],
     /// The method that is driven.
     pub route: Route,
+    /// The rule for escapes beside infinity, though nothing says so.
+    pub assumed: Option<EscapeRule>,
 }
 
 impl<'a> Subject<'a> {
@@ -57,6 +61,7 @@ impl<'a> Subject<'a> {
             faults: &[],
             without: &[],
             route: Route::Block,
+            assumed: None,
         }
     }
 
@@ -93,6 +98,14 @@ impl<'a> Subject<'a> {
         let first = plan.claims.design(self.draws);
         let last = self.bias_bound.map_or(first, |_| plan.claims.design(self.budget));
         Design::while_growing(first, last)
+    }
+
+    /// The same subject, with what probably stands for an escape counted as one.
+    #[must_use]
+    pub(crate) fn assuming(&self, probable: ProbableEscape) -> Self {
+        let escapes = Escape::from(probable.sentinel).into();
+        let rule = EscapeRule { length: self.experiment.length(), escapes };
+        Self { assumed: Some(rule), ..self.clone() }
     }
 
     /// True if every draw is made already: then the second stage is read, whatever the first gives.

@@ -29,7 +29,8 @@ Do:       never drop such draws: what is left is biased.",
         Reason::OutOfSupport,
         "\
 Given by: the checks support, vacuum and audit.
-Causes:   a last cell that is not cut at the end of the ray, a grid walk off by one, a distance in other units.",
+Causes:   an escape that is written as -1, 1e30 or the length, a last cell that is not cut at the end of the ray, a grid walk off
+          by one, a distance in other units.",
     ),
     (
         Reason::BoundViolated,
@@ -77,9 +78,9 @@ Do:       the answer may be right all the same; withdraw the claim `lookups` if 
     (
         Reason::Dependent,
         "\
-Given by: ties and lag_1.
-Causes:   one seed for several workers, a random number that is used twice, rows in order of completion, quantised
-          distances.
+Given by: ties, the lags, pairs_16, and the checks equal_blocks and sorted.
+Causes:   one seed for several workers, a random number that is used twice, rows in order of completion or of size,
+          quantised distances.
 Do:       means may be right, error bars are not. Declare `resolution_bits` if the draws are in single precision.",
     ),
     (

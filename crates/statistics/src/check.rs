@@ -1,14 +1,18 @@
 //! Checks: what makes a [`Fact`](crate::Fact), without a p-value. Those of this crate's claims; others have their own.
 
 mod audit;
+mod equal_blocks;
 mod finite;
+mod sorted;
 mod subject;
 mod support;
 mod unit_weight;
 mod vacuum;
 
 pub use audit::CHECK as AUDIT;
+pub use equal_blocks::CHECK as EQUAL_BLOCKS;
 pub use finite::CHECK as FINITE;
+pub use sorted::CHECK as SORTED;
 pub use subject::CHECK as SUBJECT;
 pub use support::CHECK as SUPPORT;
 pub use unit_weight::CHECK as UNIT_WEIGHT;

@@ -6,7 +6,7 @@
 
 use crate::check::Check;
 use crate::evidence::Fact;
-use crate::fold::{Folds, Tallies};
+use crate::fold::{Folds, ProbableEscape, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
 use freepath_results::{ClaimResult, Reason};
@@ -22,6 +22,7 @@ mod contender;
 mod count;
 mod design;
 mod domain;
+mod drawing_order;
 mod enough_rows;
 mod estimates;
 mod event;
@@ -53,6 +54,7 @@ pub use contender::{Contender, EfficiencyClaim};
 pub use count::PoissonClaim;
 pub use design::Design;
 pub use domain::{AtomsClaim, Domain};
+pub use drawing_order::DrawingOrder;
 pub use enough_rows::EnoughRows;
 pub use estimates::Estimates;
 pub use event::EventClaim;
@@ -64,14 +66,14 @@ pub use null_positions::NullPositionsClaim;
 pub use order::{ObservedOrder, Order};
 pub use own_law::OwnLaw;
 pub use own_mean::OwnMean;
-pub use path::{CountedPath, Path};
+pub use path::{CountedPath, Escaping, Path};
 pub use pdf_integral::PdfIntegral;
 pub use ranks::{JointRanks, SecondRank, joint_rank};
 pub use second_moment::{Moments, SecondMomentClaim};
 pub use sequential::{Asked, BiasBound, InterimLook, SequentialTest};
 pub use series::SeriesClaim;
 pub use summary::{StepOrder, Summary};
-pub use ties::TiesClaim;
+pub use ties::{TiesClaim, Written};
 pub use unit_weight::UnitWeightClaim;
 pub use vacuum::Vacuum;
 
@@ -115,6 +117,16 @@ pub trait Claim: Send + Sync {
 
     /// The contradiction for certain by one row, without any tally.
     fn look(&self, _draws: &Draws, _row: usize) -> Option<Finding> {
+        None
+    }
+
+    /// The reason why no test can be made of draws like these: what contradicts them would reject every other claim as well.
+    fn precludes(&self, _tallies: &Tallies) -> Option<String> {
+        None
+    }
+
+    /// The stand-in that is probably meant for an escape in these draws, though nothing says so.
+    fn probable_escape(&self, _tallies: &Tallies) -> Option<ProbableEscape> {
         None
     }
 
@@ -176,13 +188,26 @@ impl<'a> Claims<'a> {
     pub fn judge(&self, tallies: &Tallies) -> Judged {
         let mut judged = Judged::default();
         self.iter().for_each(|claim| claim.judge(tallies, &mut judged));
-        judged
+        match self.precluded(tallies) {
+            Some(why) => judged.withheld(&why),
+            None => judged,
+        }
+    }
+
+    fn precluded(&self, tallies: &Tallies) -> Option<String> {
+        self.iter().find_map(|claim| claim.precludes(tallies))
     }
 
     /// The first thing that is wrong for certain with the rows of a block.
     #[must_use]
     pub fn look(&self, draws: &Draws) -> Option<Finding> {
         (0..draws.rows()).find_map(|row| self.iter().find_map(|claim| claim.look(draws, row)))
+    }
+
+    /// The stand-in that is probably meant for an escape in these draws, though nothing says so.
+    #[must_use]
+    pub fn probable_escape(&self, tallies: &Tallies) -> Option<ProbableEscape> {
+        self.iter().find_map(|claim| claim.probable_escape(tallies))
     }
 
     /// The test that draws may grow under, towards the bound that is asked for.
@@ -218,6 +243,9 @@ impl<'a> Claims<'a> {
         self.iter().for_each(|claim| claim.state(&mut summary));
         if let Some(tallies) = tallies {
             self.iter().for_each(|claim| claim.summarize(tallies, &mut summary));
+            if self.precluded(tallies).is_some() {
+                summary.series.life_table = None; // nor is there a place where a law breaks
+            }
         }
         summary
     }

@@ -19,4 +19,12 @@ impl Judged {
     pub fn broken(why: impl Into<String>) -> Self {
         Self { facts: vec![Fact::new(check::SUBJECT.name, Reason::SubjectError, why)], ..Self::default() }
     }
+
+    /// The same without p-values, and why.
+    #[must_use]
+    pub(crate) fn withheld(mut self, why: &str) -> Self {
+        let withheld = |test: Evidence| Evidence { note: why.into(), p: None, ..test };
+        self.evidence = self.evidence.into_iter().map(withheld).collect();
+        self
+    }
 }

@@ -25,4 +25,4 @@ pub use nulls::NullTally;
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
 pub use tail::Tail;
-pub use ties::TieTally;
+pub use ties::{Commonest, TieTally};

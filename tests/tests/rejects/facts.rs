@@ -1,7 +1,7 @@
 //! Facts that fail without any p-value.
 
 use crate::chromatic::of_weights;
-use crate::path::{LENGTH, MU, medium, of_path, path, right, sampler};
+use crate::path::{Draw, LENGTH, MU, medium, of_path, path, right, sampler};
 use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::medium::BoxSpike;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler};
@@ -40,6 +40,29 @@ fn facts_fail_at_once() {
     );
     fails(Reason::SubjectError, &of_path(&sampler(|_, _| panic!("a planted panic")), 1));
     fails(Reason::NonFinite, &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0));
+}
+
+/// A right sampler that knows no infinity is told so, and its law is judged with what it writes counted as escapes.
+#[test]
+fn what_stands_for_an_escape_is_told_and_counted() {
+    let draws: [Draw; 4] = [
+        |_, rng| FreePath::at(right(rng)),
+        |_, rng| path_or(-1.0, right(rng)),
+        |_, rng| path_or(1e30, right(rng)),
+        |_, rng| path_or(f64::NAN, right(rng)),
+    ];
+    for draw in draws {
+        let Judgement { decision, .. } = of_path(&sampler(draw), 60_000);
+        let told = decision.notes.iter().any(|note| {
+            note.contains("probably escapes, and counted as such here (a sampler returns infinity for an escape)")
+        });
+        assert!(decision.verdict == Verdict::Fail && told, "{decision:?}");
+        assert!(!decision.reasons.contains(&Reason::WrongLaw), "{decision:?}");
+    }
+}
+
+fn path_or(escape: f64, t: f64) -> FreePath {
+    FreePath::at(if t < LENGTH { t } else { escape })
 }
 
 #[test]

@@ -25,8 +25,8 @@ pub(crate) struct Check {
     /// The column of the statistical weights of free paths.
     #[arg(long, value_name = "NAME")]
     pub(crate) weight: Option<String>,
-    /// The free paths that are escapes: those at infinity, or those at the length of the ray or beyond.
-    #[arg(long, value_name = "AT", value_parser = named::<Escape>, default_value = "infinity")]
+    /// The free paths that are escapes: infinity; at_length, the length of the ray or beyond; nan; or a value, such as value:-1.
+    #[arg(long, value_name = "AT", default_value = "infinity")]
     pub(crate) escape: Escape,
     /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
     #[arg(long, value_name = "FORMAT", value_parser = named::<Format>)]

@@ -55,7 +55,7 @@ fn repro(args: &Check) -> String {
     words.extend(args.column.as_ref().map(|name| flag("column", name)));
     words.extend(args.weight.as_ref().map(|name| flag("weight", name)));
     let escape = Some(&args.escape).filter(|&escape| *escape != Escape::default());
-    words.extend(escape.map(|escape| flag("escape", &name(escape))));
+    words.extend(escape.map(|escape| flag("escape", &escape.to_string())));
     words.extend(args.format.as_ref().map(|format| flag("format", &name(format))));
     words.extend(args.draws.map(|n| format!("--draws {n}")));
     words.extend(args.tolerance.map(|x| format!("--tolerance {x:e}")));

@@ -72,16 +72,22 @@ impl TableFile {
         self.layout.single()
     }
 
+    /// True if the numbers are written as text.
+    #[must_use]
+    pub fn is_text(&self) -> bool {
+        self.layout.is_text()
+    }
+
     /// A reader that stands at `row`.
     ///
     /// # Errors
     /// If the file cannot be opened again, has become shorter, or is a stream that has gone on.
     pub fn reader(&self, row: u64) -> Result<Box<dyn Table>, Refusal> {
-        let parked = self.parked.lock().unwrap_or_else(PoisonError::into_inner).take();
-        match (parked, &self.path) {
-            (Some(parked), _) if parked.row == row => Ok(parked.table),
-            (_, None) => Err(Refusal::new("it cannot be read twice", "save it in a file")),
-            (_, Some(path)) => self.layout.reopen(path, row),
+        let mut parked = self.parked.lock().unwrap_or_else(PoisonError::into_inner);
+        match (parked.take_if(|parked| parked.row == row), &self.path) {
+            (Some(there), _) => Ok(there.table),
+            (None, None) => Err(Refusal::new("it cannot be read twice", "save it in a file")),
+            (None, Some(path)) => self.layout.reopen(path, row),
         }
     }
 

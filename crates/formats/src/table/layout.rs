@@ -29,6 +29,10 @@ impl Layout {
         matches!(self, Self::Binary { cell: Cell { single: true, .. }, .. })
     }
 
+    pub(super) fn is_text(&self) -> bool {
+        matches!(self, Self::Text { .. })
+    }
+
     /// The table of an input that stands at its first row, or, for text, at its beginning.
     fn table(&self, input: Box<dyn Read + Send>) -> Result<Box<dyn Table>, Refusal> {
         match self.clone() {

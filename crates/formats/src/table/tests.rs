@@ -141,6 +141,7 @@ fn a_stream_is_read_on_but_not_again() {
     let (mut table, mut found) = (file.reader(0).unwrap(), [0.0; 2]);
     assert_eq!(table.read(2, &mut [&mut found]).unwrap(), 2);
     file.park(2, table);
+    assert!(file.reader(0).is_err(), "and whoever asks for more does not lose what is left");
     file.reader(2).unwrap().read(2, &mut [&mut found]).unwrap();
     assert_eq!(found.to_vec(), T[2..].to_vec());
     let why = file.reader(0).map(|_| String::new()).unwrap_or_else(|why| file.error(why).to_string());

@@ -56,11 +56,11 @@ impl Reader<'_> {
 
 impl Worker {
     /// The next block, whichever it is.
-    fn take(&mut self, folds: &Folds, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
+    fn take(&mut self, subject: &Subject, folds: &Folds, reader: &Mutex<Reader>, first: u64) -> Option<Read> {
         let next = reader.lock().unwrap_or_else(PoisonError::into_inner).next(&mut self.draws)?;
         Some(next.and_then(|ReadBlock { number, seconds }| {
             let drawn = Drawn { number, nth: number - first, audit: None, seconds };
-            self.tally(folds, &drawn).map_err(|why| Unread { block: number, why })
+            self.tally(subject, folds, &drawn).map_err(|why| Unread { block: number, why })
         }))
     }
 }
@@ -95,7 +95,7 @@ pub(super) fn collect(
         if watch.is_cancelled() {
             return None;
         }
-        workers.with(subject, folds, |worker| worker.take(folds, &reader, blocks.start))
+        workers.with(subject, folds, |worker| worker.take(subject, folds, &reader, blocks.start))
     };
     loop {
         let mut wave: Vec<Read> = (0..WAVE).into_par_iter().filter_map(take).collect();

@@ -1,6 +1,7 @@
 use crate::sample::sample_block;
+use crate::samples::mark_escapes;
 use crate::subject::{BLOCK, Subject};
-use freepath_draws::{Draws, Key};
+use freepath_draws::{Draws, Key, column};
 use freepath_statistics::fold::{Counts, Folds, Parts, Tallies};
 use freepath_statistics::tally::Audit;
 use freepath_statistics::{Block, Scratch};
@@ -50,15 +51,19 @@ impl Worker {
         let watch = folds.watch(nth, &mut self.counts);
         let record = sample_block(subject, key, row, &mut self.draws, watch)?;
         let (number, audit, seconds) = (key.block, Some(&record.audit), record.seconds);
-        self.tally(folds, &Drawn { number, nth, audit, seconds })
+        self.tally(subject, folds, &Drawn { number, nth, audit, seconds })
     }
 
     /// Folds the draws of a block.
     ///
     /// # Errors
     /// If the block lacks a column that a claim reads, in words.
-    pub(super) fn tally(&mut self, folds: &Folds, drawn: &Drawn) -> Result<BlockParts, String> {
+    pub(super) fn tally(&mut self, subject: &Subject, folds: &Folds, drawn: &Drawn) -> Result<BlockParts, String> {
         let Drawn { number, nth, audit, seconds } = *drawn;
+        if let Some(rule) = subject.assumed {
+            let t = self.draws.f64_mut(column::T).map_err(|missing| missing.to_string())?;
+            mark_escapes(t, rule, subject.tolerance);
+        }
         let block = Block { draws: &self.draws, number, nth, audit };
         let parts = folds.observe(&block, &mut self.scratch, &mut self.counts);
         let parts = parts.map_err(|missing| missing.to_string())?;

@@ -2,7 +2,7 @@
 
 use freepath_draws::column::{T, channel};
 use freepath_statistics::claim::{
-    Claims, CountedPath, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
+    Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
 };
 use freepath_statistics::fold::{Event, EventSums, FoldId, Strays};
 use freepath_statistics::hypothesis::MeanClaim;
@@ -51,9 +51,9 @@ impl Events {
     }
 
     /// Every distance lies on the ray, where no law counts them.
-    pub(super) fn path(length: f64, claims: &mut Claims) {
+    pub(super) fn path(length: f64, escapes: Escaping, claims: &mut Claims) {
         let strays = claims.folds.add(Strays { column: T, length });
-        claims.push(CountedPath { column: T, length, strays });
+        claims.push(CountedPath { column: T, length, strays, escapes });
     }
 
     /// Every weight of a row is finite, row by row.

@@ -4,6 +4,9 @@ use crate::fault::ChannelMixture;
 use crate::samples::SampleSource;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
+use freepath_statistics::claim::{Claims, DrawingOrder};
+use freepath_statistics::fold::{Copies, Monotone};
+use std::borrow::Cow;
 
 /// The source of a kind's draws.
 pub enum Source<'a, K: Kind> {
@@ -42,6 +45,16 @@ impl<'a, K: Kind> Source<'a, K> {
     }
 }
 
+/// Rows made elsewhere, of whatever kind, stand in the order in which they were drawn.
+fn drawing_order(row: &Row, claims: &mut Claims) {
+    let columns: Vec<Cow<'static, str>> =
+        row.columns().iter().map(|column| column.name().to_string().into()).collect();
+    let Some(column) = columns.first().cloned() else { return };
+    let steps = claims.folds.add(Monotone { column });
+    let copies = claims.folds.add(Copies { columns });
+    claims.push(DrawingOrder { copies, steps });
+}
+
 /// An experiment of one kind.
 pub struct InScene<'a, K: Kind> {
     /// The source of the draws.
@@ -53,7 +66,10 @@ pub struct InScene<'a, K: Kind> {
 impl<'a, K: Kind> InScene<'a, K> {
     /// The claims that still stand.
     pub(super) fn into_plan(self, terms: &Terms) -> Plan<'a> {
-        let Plan { claims, beside } = K::plan(self.scene, &self.source, terms);
+        let Plan { mut claims, beside } = K::plan(self.scene, &self.source, terms);
+        if let Source::External(rows) = self.source {
+            drawing_order(&rows.row(), &mut claims);
+        }
         Plan { claims: claims.without(terms.without), beside }
     }
 

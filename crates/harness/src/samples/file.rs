@@ -180,6 +180,10 @@ impl SampleSource for SampleFile {
     fn finished(&self) -> bool {
         true
     }
+
+    fn is_text(&self) -> bool {
+        self.table.is_text()
+    }
 }
 
 /// The rows of one stage.

@@ -35,6 +35,11 @@ impl Claim for SeriesClaim {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let Some(parts) = tallies.beside.get(self.beside) else { return };
         let (cells, audit) = (parts.counts(self.cells), parts.counts(self.lookups).audit);
+        if tallies.assumed.is_some() {
+            let why = "what escapes the first part does not say so by infinity";
+            into.evidence.push(Evidence::withheld("series", f64::NAN, self.reason, why));
+            return;
+        }
         if audit.lookups == 0 {
             // it may carry a scene of its own, which has no parts
             let why = "the sampler never looks mu up: it may not heed the medium that it is given";

@@ -1,7 +1,8 @@
 use super::{Claim, Withdrawal};
-use crate::fold::{Cells, FoldId, Tallies, Ties};
+use crate::fold::{Cells, FoldId, Short, Tallies, Ties};
 use crate::hypothesis;
 use crate::judged::Judged;
+use crate::tally::Commonest;
 use freepath_results::ClaimResult;
 
 /// Values of a column tie no more often than the resolution of its uniforms makes them.
@@ -12,8 +13,19 @@ pub struct TiesClaim {
     pub ties: FoldId<Ties>,
     /// The column by cell.
     pub cells: FoldId<Cells>,
-    /// True if the rows were written by another program, which may have rounded them.
-    pub written: bool,
+    /// The form in which the rows came.
+    pub written: Written,
+}
+
+/// The form in which rows come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// Drawn here.
+    Here,
+    /// As numbers of the machine, by another program.
+    Binary,
+    /// As text, whose digits may be few.
+    Text,
 }
 
 /// The reason why samples tie, as often as not.
@@ -32,7 +44,30 @@ impl Claim for TiesClaim {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let collided = tallies.counts(self.cells).collided();
         let ties = hypothesis::ties(tallies.counts(self.ties), collided, self.pair);
-        let rounded = self.written && ties.statistic > 0.0;
-        into.evidence.push(if rounded { ties.noted(FEW_DIGITS) } else { ties });
+        let most = tallies.counts(self.ties).commonest().filter(|_| ties.statistic > 0.0);
+        into.evidence.push(match most.and_then(|most| self.written.told(&most)) {
+            Some(note) => ties.noted(note),
+            None => ties,
+        });
+    }
+}
+
+impl Written {
+    /// The cause of ties: one value, wherever most pairs are of it, or digits.
+    fn told(self, most: &Commonest) -> Option<String> {
+        let Commonest { count, of, pairs, .. } = *most;
+        let value = Short(most.value);
+        let alone = count * (count - 1) >= pairs; // at least half of them
+        let share = 100.0 * count as f64 / of as f64;
+        match self {
+            Self::Here => None,
+            Self::Binary | Self::Text if alone && count > 2 => Some(format!(
+                "t = {value} is drawn {count} times in {of} ({share:.3} %), where no distance comes back"
+            )),
+            Self::Text => Some(FEW_DIGITS.into()),
+            Self::Binary => Some(format!(
+                "{pairs} pairs of distances in {of} are equal, such as t = {value}: copied draws, or fewer bits than declared"
+            )),
+        }
     }
 }

@@ -1,4 +1,5 @@
 use super::erased::{AnyFold, Part, State, own};
+use super::strays::ProbableEscape;
 use super::{Fold, LookupWatch};
 use crate::block::{Block, CellIndex, Scratch};
 use freepath_draws::MissingColumn;
@@ -37,6 +38,8 @@ pub struct Tallies {
     pub draws: u64,
     /// The tallies of draws made beside these, such as of a ray in two parts.
     pub beside: Vec<Tallies>,
+    /// The stand-in that was counted as an escape, though nothing says so.
+    pub assumed: Option<ProbableEscape>,
 }
 
 impl Folds {
@@ -143,6 +146,7 @@ impl Tallies {
 impl Clone for Tallies {
     fn clone(&self) -> Self {
         let copy = |states: &[Box<dyn State>]| states.iter().map(|state| (**state).copy()).collect();
-        Self { counts: copy(&self.counts), sums: copy(&self.sums), draws: self.draws, beside: self.beside.clone() }
+        let Self { draws, assumed, .. } = *self;
+        Self { counts: copy(&self.counts), sums: copy(&self.sums), draws, beside: self.beside.clone(), assumed }
     }
 }

@@ -103,11 +103,40 @@ impl TieTally {
         equal_pairs(&self.held)
     }
 
+    /// The value that is drawn most often among the first draws and those held, if any comes twice.
+    #[must_use]
+    pub fn commonest(&self) -> Option<Commonest> {
+        let [first, held] = [&self.first, &self.held].map(|values| commonest(values));
+        let most = if first.as_ref().is_some_and(|first| first.pairs > 0) { first } else { held };
+        most.filter(|most| most.pairs > 0)
+    }
+
     /// Pairs of equal values among the first draws, and how many of those are finite.
     #[must_use]
     pub fn first_pairs(&self) -> (u64, u64) {
         (equal_pairs(&self.first), self.first.len() as u64)
     }
+}
+
+/// The value that is drawn most often.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commonest {
+    /// The value.
+    pub value: f64,
+    /// How often it is drawn.
+    pub count: u64,
+    /// Of so many draws.
+    pub of: u64,
+    /// Pairs of equal draws, of whatever value.
+    pub pairs: u64,
+}
+
+fn commonest(values: &[u64]) -> Option<Commonest> {
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable();
+    let most = sorted.chunk_by(u64::eq).max_by_key(|equal| equal.len())?;
+    let (value, count, of) = (f64::from_bits(most[0]), most.len() as u64, values.len() as u64);
+    Some(Commonest { value, count, of, pairs: equal_pairs(values) })
 }
 
 fn equal_pairs(values: &[u64]) -> u64 {
@@ -148,7 +177,10 @@ mod tests {
             tally.observe(&t, block < 4);
         }
         assert_eq!(tally.pairs(), 0, "the table has no room for so many");
-        assert_eq!(tally.first_pairs(), (32_000 * 31_999 / 2, 4 * 16_384));
+        let pairs = 32_000 * 31_999 / 2;
+        assert_eq!(tally.first_pairs(), (pairs, 4 * 16_384));
+        let most = Commonest { value: 0.25, count: 32_000, of: 4 * 16_384, pairs };
+        assert_eq!(tally.commonest(), Some(most));
     }
 
     #[test]

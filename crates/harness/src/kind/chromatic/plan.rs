@@ -2,6 +2,7 @@ use super::Chromatic;
 use crate::experiment::{Plan, Terms};
 use freepath_draws::column::T;
 use crate::kind::Source;
+use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
 use freepath_draws::quadrature::integrate;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
@@ -9,10 +10,10 @@ use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::ChromaticSampler;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    BerkJonesClaim, Claims, EnoughRows, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim,
+    BerkJonesClaim, Claims, EnoughRows, Escaping, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim, Written,
     Withdrawal,
 };
-use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Ties, Values};
+use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
 use freepath_statistics::hypothesis::pair_probability;
 use freepath_statistics::Law;
 use freepath_statistics::tally::Scores;
@@ -33,7 +34,7 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     }
     match &said.mixture {
         Some(mixture) => law(medium, mixture, terms, &mut claims),
-        None => Events::path(medium.length(), &mut claims),
+        None => Events::path(medium.length(), Escaping { share: f64::NAN, remedy: escaping::of_sampler }, &mut claims),
     }
     Events::rows(medium.media().len(), &mut claims);
     if let Some(integral) = source.sampler().filter(|_| known).and_then(|sampler| integral(sampler, medium)) {
@@ -60,7 +61,9 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
     let (length, known, reason) = (medium.length(), terms.stands(Withdrawal::Truth), Reason::WrongLaw);
     let index = claims.folds.cell_index();
     let cells = claims.folds.add(Cells { values: Values::Column(T), law: law.clone(), index });
-    claims.push(Path { column: T, length, cells });
+    let strays = claims.folds.add(Strays { column: T, length });
+    let escapes = Escaping { share: law.atom(), remedy: escaping::of_sampler };
+    claims.push(Path { column: T, length, cells, strays, escapes });
     if known {
         let (breaks, own, order, grows) = (Vec::new(), None, None, false);
         claims.push(LawClaim { law: law.clone(), cells, reason, own, breaks, order, grows });
@@ -79,7 +82,7 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
     }
     if law.collided() > 0.0 {
         let (pair, ties) = (pair_probability(&law, terms.bits), claims.folds.add(Ties { column: T }));
-        claims.push(TiesClaim { pair, ties, cells, written: false });
+        claims.push(TiesClaim { pair, ties, cells, written: Written::Here });
     }
     claims.push(Order { scores, lags, cells });
 }

@@ -1,7 +1,7 @@
 use super::FreePathKind;
 use super::in_parts::{InParts, cut, works_in_parts};
 use crate::experiment::{Beside, Plan, Terms};
-use crate::kind::{Ray, Source};
+use crate::kind::{Ray, Source, escaping};
 use freepath_draws::column::{AUXILIARY, COLLISIONS, T, WEIGHT};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
@@ -9,12 +9,12 @@ use freepath_results::Reason;
 use freepath_statistics::CellIndex;
 use freepath_statistics::Law;
 use freepath_statistics::claim::{
-    AuxiliaryClaim, BerkJonesClaim, Bounded, Claims, ColemanClaim, EnoughRows, InsideRay, LawAgreement, LawClaim,
+    AuxiliaryClaim, BerkJonesClaim, Bounded, Claims, ColemanClaim, EnoughRows, Escaping, InsideRay, LawAgreement, LawClaim,
     LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim, UnitWeightClaim,
-    Vacuum, Withdrawal,
+    Vacuum, Withdrawal, Written,
 };
 use freepath_statistics::fold::{
-    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Ties, UnitWeight, Values,
+    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties, UnitWeight, Values,
 };
 use freepath_statistics::hypothesis::pair_probability;
 use freepath_statistics::tally::Scores;
@@ -111,12 +111,25 @@ impl<'a, 'b> Builder<'a, 'b> {
         if external {
             self.claims.push(EnoughRows);
         }
-        self.claims.push(Path { column: T, length: self.ray.truth.length(), cells });
+        self.path();
         if !external {
             let other = self.claims.folds.add(UnitWeight { column: WEIGHT });
             self.claims.push(UnitWeightClaim { column: WEIGHT, other });
         }
         self.claims.push(LawAgreement { cells, reason: self.reason });
+    }
+
+    /// Where distances lie, and how escapes are written.
+    fn path(&mut self) {
+        let (length, cells) = (self.ray.truth.length(), self.cells);
+        let strays = self.claims.folds.add(Strays { column: T, length });
+        let remedy: fn(Sentinel) -> String = match self.source {
+            Source::External(rows) if rows.finished() => escaping::of_file,
+            Source::External(_) => escaping::of_program,
+            Source::Control | Source::Sampler(_) => escaping::of_sampler,
+        };
+        let escapes = Escaping { share: self.laws.truth.atom(), remedy };
+        self.claims.push(Path { column: T, length, cells, strays, escapes });
     }
 
     /// The medium's law, and the one that the sampler has by design.
@@ -187,7 +200,12 @@ impl<'a, 'b> Builder<'a, 'b> {
         if self.said.continuous && followed.collided() > 0.0 {
             let pair = pair_probability(followed, self.terms.bits);
             let ties = self.claims.folds.add(Ties { column: T });
-            self.claims.push(TiesClaim { pair, ties, cells, written: self.source.is_external() });
+            let written = match self.source {
+                Source::External(rows) if rows.is_text() => Written::Text,
+                Source::External(_) => Written::Binary,
+                Source::Control | Source::Sampler(_) => Written::Here,
+            };
+            self.claims.push(TiesClaim { pair, ties, cells, written });
         }
         self.claims.push(Order { scores, lags, cells });
     }

@@ -12,7 +12,7 @@ fn by_default<T: Default + PartialEq>(value: &T) -> bool {
 /// stage 2, and all are judged.
 ///
 /// ```text
-/// t as drawn, infinity for an escape, or t >= length if it is declared so
+/// t as drawn, infinity for an escape; t >= length, NaN or some value, such as -1, if it is declared so
 /// ```
 ///
 /// Target: the free-path law; with weights, the weighted mean of each event.

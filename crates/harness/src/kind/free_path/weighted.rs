@@ -1,7 +1,8 @@
 use crate::experiment::{Plan, Terms};
 use crate::kind::Ray;
+use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
-use freepath_statistics::claim::{Claims, EnoughRows, InsideRay, Withdrawal};
+use freepath_statistics::claim::{Claims, EnoughRows, Escaping, InsideRay, Withdrawal};
 use freepath_statistics::fold::{Event, Lookups};
 use freepath_statistics::Law;
 
@@ -16,7 +17,8 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     if let Some(events) = &events {
         events.finite(&mut claims);
     }
-    Events::path(ray.truth.length(), &mut claims);
+    let escapes = Escaping { share: ray.transmittance(), remedy: escaping::of_file };
+    Events::path(ray.truth.length(), escapes, &mut claims);
     if let Some(events) = events {
         events.means(&mut claims);
     }

@@ -1,0 +1,68 @@
+use super::{Claim, Withdrawal};
+use crate::check;
+use crate::evidence::Fact;
+use crate::fold::{Copies, Fingerprint, FoldId, Monotone, Tallies};
+use crate::judged::Judged;
+use freepath_results::{ClaimResult, Reason};
+
+/// Rows that were made elsewhere stand in the order in which they were drawn, each drawn afresh: no block of them comes twice, and
+/// they are not sorted.
+pub struct DrawingOrder {
+    /// Fingerprints of blocks.
+    pub copies: FoldId<Copies>,
+    /// Neighbours that rise and fall.
+    pub steps: FoldId<Monotone>,
+}
+
+/// The logarithm of the probability below which chance is no cause: 1e-12.
+const CHANCE: f64 = -27.631;
+
+impl DrawingOrder {
+    fn fact(&self, tallies: &Tallies) -> Option<Fact> {
+        copied(tallies.counts(self.copies)).or_else(|| self.sorted(tallies))
+    }
+
+    fn sorted(&self, tallies: &Tallies) -> Option<Fact> {
+        let (steps, orders) = (tallies.counts(self.steps), *tallies.sums(self.steps));
+        let direction = match (steps.rising, steps.falling) {
+            (1.., 0) => "from the least to the greatest",
+            (0, 1..) => "from the greatest to the least",
+            (0, 0) | (1.., 1..) => return None,
+        };
+        let words =
+            format!("the rows are sorted, {direction}: they are needed in the order in which they were drawn");
+        let chance = core::f64::consts::LN_2 - orders;
+        (chance < CHANCE).then(|| Fact::new(check::SORTED.name, Reason::Dependent, words))
+    }
+}
+
+/// Equal blocks, unless chance may have made them so: of M blocks M^2 / 2 pairs, each equal with probability 1 / C(B, K) at most.
+fn copied(blocks: &[Fingerprint]) -> Option<Fact> {
+    let mut sorted = blocks.to_vec();
+    sorted.sort_unstable();
+    let ln_pairs = libm::log(0.5 * blocks.len() as f64 * blocks.len() as f64);
+    let copies = |equal: &[Fingerprint]| equal.len() > 1 && ln_pairs - equal[0].ln_orders() < CHANCE;
+    let extra: usize =
+        sorted.chunk_by(|a, b| a == b).filter(|equal| copies(equal)).map(|equal| equal.len() - 1).sum();
+    let (all, rows) = (blocks.len(), sorted.first()?.rows);
+    let words = format!("{extra} of {all} blocks of {rows} rows repeat another, row by row");
+    (extra > 0).then(|| Fact::new(check::EQUAL_BLOCKS.name, Reason::Dependent, words))
+}
+
+impl Claim for DrawingOrder {
+    fn statement(&self) -> Option<ClaimResult> {
+        None
+    }
+
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Independent]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        into.facts.extend(self.fact(tallies));
+    }
+
+    fn precludes(&self, tallies: &Tallies) -> Option<String> {
+        self.fact(tallies).map(|fact| fact.words)
+    }
+}
