@@ -3,8 +3,8 @@
 use freepath_results::Reason;
 use freepath_statistics::Law;
 use freepath_statistics::hypothesis::{
-    BlockLookups, MeanClaim, Method, chi_square, kolmogorov, lag, least_expected, lookups, mean, poisson_count,
-    residuals, second_moment,
+    BlockLookups, Cost, MeanClaim, Method, SecondMoment, chi_square, kolmogorov, lag, least_expected, lookups,
+    mean, poisson_count, residuals, second_moment,
 };
 use freepath_statistics::tally::{CellTally, CountTally, LAGS, LagTally, PowerSums, Scores};
 
@@ -81,7 +81,8 @@ fn second_moments_of_skew_squares_are_withheld() {
     let given = |hits: usize| {
         let p = hits as f64 / 16_384.0;
         let draws: Vec<f64> = (0..16_384).map(|i| if i < hits { 1.0 } else { 0.0 }).collect();
-        second_moment("second_moment", &PowerSums::of(p, &draws), [p; 3], 0.0).p.is_some()
+        let claim = SecondMoment { moments: [p; 3], error: 0.0, slack: 0.0 };
+        second_moment("second_moment", &PowerSums::of(p, &draws), claim).p.is_some()
     };
     assert!(given(110) && !given(90));
 }
@@ -98,7 +99,8 @@ fn few_blocks_and_few_pairs_say_nothing() {
     let totals = |blocks: u64, spread: u64| {
         let mut seen = BlockLookups::default();
         (0..blocks).for_each(|i| seen.observe(1000 + spread * (i % 2)));
-        lookups(&seen, 16_384, 1000.0 / 16_384.0, 0.0).p.is_some()
+        let cost = Cost { expected: 1000.0 / 16_384.0, error: 0.0, slack: 0.0 };
+        lookups(&seen, 16_384, cost).p.is_some()
     };
     assert!(totals(20, 20) && !totals(19, 20));
     assert!(totals(20, 16) && !totals(20, 15), "a variance of all draws below 1111 may be a few rare ones");

@@ -13,6 +13,8 @@ pub struct FreePathClaims<'a> {
     pub own_law: Option<Survival<'a>>,
     /// Expected look-ups of mu per draw.
     pub lookups: Option<f64>,
+    /// How far quadrature may put them off.
+    pub lookups_error: f64,
     /// Its `collisions` and `t` follow Coleman's joint law (Coleman 1968) under the medium's majorants.
     pub coleman: bool,
     /// Its law has no atom but escape, so that ties mean something.
@@ -30,6 +32,7 @@ impl Default for FreePathClaims<'_> {
             bounded: true,
             own_law: None,
             lookups: None,
+            lookups_error: 0.0,
             coleman: false,
             continuous: true,
             order: None,
@@ -47,12 +50,16 @@ pub struct TransmittanceClaims {
     pub own_mean: Option<f64>,
     /// E[X^k] for k = 1 to 6, by formula.
     pub moments: Option<[f64; 6]>,
+    /// How far quadrature may put them off, relative to each: slack of every claim that rests on them.
+    pub moments_error: f64,
     /// The least and greatest value of one estimate.
     pub range: Option<(f64, f64)>,
     /// Every estimate is 0 or 1.
     pub binary: bool,
     /// Expected look-ups of mu per estimate.
     pub lookups: Option<f64>,
+    /// How far quadrature may put them off.
+    pub lookups_error: f64,
     /// `collisions` is Poisson with this mean.
     pub poisson: Option<f64>,
     /// The bias falls like this power of the step length.
@@ -65,9 +72,11 @@ impl Default for TransmittanceClaims {
             bounded: true,
             own_mean: None,
             moments: None,
+            moments_error: 0.0,
             range: None,
             binary: false,
             lookups: None,
+            lookups_error: 0.0,
             poisson: None,
             order: None,
         }
@@ -83,6 +92,8 @@ pub struct ChromaticClaims {
     pub scatter_moments: Option<Vec<[f64; 3]>>,
     /// E[w^2; surface], E[w^4; surface] and E[w^6; surface] of each channel; the last two may be infinite.
     pub surface_moments: Option<Vec<[f64; 3]>>,
+    /// How far quadrature may put those of scattering off, relative to each: slack of every claim that rests on them.
+    pub moments_error: f64,
 }
 
 /// A channel of a chromatic medium, as a chromatic sampler sees it.

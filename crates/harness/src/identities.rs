@@ -24,6 +24,7 @@ use freepath_statistics::Fact;
 pub(crate) mod composition;
 pub(crate) mod counts;
 pub(crate) mod density;
+mod excess;
 pub(crate) mod history;
 pub(crate) mod medium;
 mod rays;

@@ -74,3 +74,22 @@ fn a_medium_that_contradicts_itself_is_seen() {
     );
     assert!(caught("identity_medium", Reason::SubjectError, &facts));
 }
+
+/// A bump as a user writes it: mu and a right tau, and no word of where it is narrow.
+fn narrow(width: f64) -> Changed {
+    let inner = Gaussian::new(40.0, 1.31416, width, LENGTH, 0.5).expect("a medium");
+    Changed { inner, ..bump() }
+}
+
+#[test]
+fn a_right_depth_of_a_bump_that_quadrature_misses_is_no_contradiction() {
+    use freepath_harness::noiseless::medium;
+    for width in [0.01, 3e-4 / std::f64::consts::SQRT_2, 1e-5, 1e-7] {
+        assert_eq!(medium(&narrow(width)), None, "{width}");
+        assert_eq!(medium(&narrow(width).inner), None, "{width}");
+        let high = Changed { tau: |inner, t| inner.tau(t) * (1.0 + 1e-6), ..narrow(width) };
+        assert!(medium(&high).is_some_and(|fact| fact.words.contains("has the integral")), "{width}");
+    }
+    let flat = Changed { tau: |_, t| 0.5 * t, ..narrow(3e-4) };
+    assert!(medium(&flat).is_some_and(|fact| fact.words.contains("has the integral")), "a tau without the bump");
+}

@@ -4,7 +4,7 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::finite::Finite;
 use freepath_calibration::multinomial::quantile;
-use freepath_statistics::hypothesis::{BlockLookups, lookups};
+use freepath_statistics::hypothesis::{BlockLookups, Cost, lookups};
 use freepath_statistics::special::student_t_two_sided;
 
 const ROWS: usize = 16_384;
@@ -30,7 +30,7 @@ fn row(effort: Effort, blocks: u64, over: f64) -> Row {
                 for (total, &times) in counts.iter().enumerate() {
                     (0..times).for_each(|_| seen.observe(total as u64));
                 }
-                let evidence = lookups(&seen, ROWS, expected, 0.0);
+                let evidence = lookups(&seen, ROWS, Cost { expected, error: 0.0, slack: 0.0 });
                 evidence.statistic * sign > 0.0 && evidence.p.is_some_and(|p| !(p > level))
             })
         };

@@ -4,7 +4,7 @@ use crate::Effort;
 use crate::table::Row;
 use freepath_calibration::finite::Finite;
 use freepath_calibration::multinomial::quantile;
-use freepath_statistics::hypothesis::second_moment;
+use freepath_statistics::hypothesis::{SecondMoment, second_moment};
 use freepath_statistics::special::pearson_two_sided;
 
 pub(crate) fn rows(effort: Effort) -> Vec<Row> {
@@ -35,7 +35,8 @@ fn row(effort: Effort, n: u64, gate: f64, r: f64) -> Row {
             let z = sign * quantile(|z| pearson_two_sided(skewness, sign * z), level);
             let leaning = squares.leaning_mean(n, z / root);
             leaning.probability(effort.seed, effort.replicates, |counts| {
-                let evidence = second_moment("second_moment", &law.sums(mean, counts), moments, 0.0);
+                let claim = SecondMoment { moments, error: 0.0, slack: 0.0 };
+                let evidence = second_moment("second_moment", &law.sums(mean, counts), claim);
                 evidence.statistic * sign > 0.0 && evidence.p.is_some_and(|p| !(p > level))
             })
         };

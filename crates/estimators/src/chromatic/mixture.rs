@@ -4,7 +4,7 @@ use crate::claims::{Channel, ChromaticClaims};
 use crate::extinction::Cells;
 use crate::parameter::{self, ParameterError};
 use freepath_draws::math;
-use freepath_draws::quadrature::integrate;
+use freepath_draws::quadrature::{Integral, Panels, decays};
 use freepath_draws::random::{exponential, uniform};
 
 /// The probability of drawing each channel: given, or all alike.
@@ -139,23 +139,25 @@ pub(super) fn claims(
     probability: &[f64],
     density: &(dyn Fn(f64, f64, usize) -> f64 + '_),
 ) -> ChromaticClaims {
-    let scales = channels.iter().flat_map(|c| [1.0, 6.0, 36.0].map(|x| x / sigma(c)));
-    let mut breaks: Vec<f64> = scales.collect();
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup();
+    let rates: Vec<f64> = channels.iter().map(sigma).collect();
+    let panels = Panels::new(0.0, length(channels), &decays(length(channels), &rates));
     let moment = |channel: &Channel, t: f64, order: usize| {
         let f = contribution(channel, t);
         if f > 0.0 { density(f, t, order) } else { 0.0 }
     };
-    let scatter = |c: &Channel| {
-        std::array::from_fn(|order| integrate(&|t| moment(c, t, order), 0.0, length(channels), &breaks).value)
+    let scatter = |c: &Channel| -> [Integral; 3] {
+        panels.integrate_all(&|t| std::array::from_fn(|order| moment(c, t, order)), [0.0; 3])
     };
+    let scattered: Vec<[Integral; 3]> = channels.iter().map(scatter).collect();
+    let relative = |known: &Integral| if known.value > 0.0 { known.error / known.value } else { 0.0 };
+    let larger = |worst: f64, error: f64| if worst < error { error } else { worst };
     let finite = |moments: &Vec<[f64; 3]>| moments.iter().all(|x| x[0].is_finite());
     let surface = |c: &Channel| std::array::from_fn(|order| moment(c, f64::INFINITY, order));
     ChromaticClaims {
         mixture: Some(probability.to_vec()),
-        scatter_moments: Some(channels.iter().map(scatter).collect()).filter(finite),
+        scatter_moments: Some(scattered.iter().map(|known| known.map(|m| m.value)).collect()).filter(finite),
         surface_moments: Some(channels.iter().map(surface).collect()).filter(finite),
+        moments_error: scattered.iter().flatten().map(relative).fold(0.0, larger),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::extinction::{Extinction, Medium};
 use crate::free_path::FreePathSampler;
 use crate::path::FreePath;
 use crate::woodcock::{Collision, CollisionRule, Form, Rates, walk, walks};
-use freepath_draws::quadrature::integrate;
+use freepath_draws::quadrature::{Integral, Panels};
 use freepath_draws::{Draws, Streams};
 
 /// Delta tracking: tentative collisions at the rate of the majorant, each real with probability mu / mu_bar
@@ -55,12 +55,21 @@ impl CollisionRule for Analog {
 }
 
 /// Expected look-ups of an analog walk: the integral of mu_bar(t) T(t).
-pub(crate) fn expected_lookups(truth: &dyn Medium) -> f64 {
-    let majorants = truth.majorants();
-    let part = |((start, end), mu_bar): ((f64, f64), &f64)| {
-        mu_bar * integrate(&|t| libm::exp(-truth.tau(t)), start, end, truth.breaks()).value
-    };
-    majorants.segments().zip(majorants.mu_bar()).map(part).sum()
+///
+/// T falls where tau grows by powers of two, which is where the panels end, whatever the scale of mu.
+pub(crate) fn expected_lookups(truth: &dyn Medium) -> Integral {
+    let (majorants, length) = (truth.majorants(), truth.length());
+    let decay = (0..7).map(|power| truth.inverse_tau(libm::exp2(f64::from(power)))); // exp(-64) is nothing
+    let mut features: Vec<f64> = truth.features().into_iter().chain(decay.filter(|&t| t < length)).collect();
+    features.sort_by(f64::total_cmp);
+    features.dedup();
+    let mut lookups = Integral::default();
+    for ((start, end), mu_bar) in majorants.segments().zip(majorants.mu_bar()) {
+        let Integral { value, error } =
+            Panels::part(start, end, &features, length).integrate(&|t| libm::exp(-truth.tau(t)));
+        lookups += Integral { value: mu_bar * value, error: mu_bar * (error + value * truth.tau_error()) };
+    }
+    lookups
 }
 
 impl FreePathSampler for DeltaTracking {
@@ -73,7 +82,8 @@ impl FreePathSampler for DeltaTracking {
     }
 
     fn claims<'a>(&'a self, truth: &'a dyn Medium) -> FreePathClaims<'a> {
-        FreePathClaims { lookups: Some(expected_lookups(truth)), coleman: true, ..FreePathClaims::default() }
+        let Integral { value, error } = expected_lookups(truth);
+        FreePathClaims { lookups: Some(value), lookups_error: error, coleman: true, ..FreePathClaims::default() }
     }
 
     fn capabilities(&self) -> Vec<Capability> {

@@ -104,6 +104,9 @@ impl Medium for BoxSpike {
     fn inverse_tau(&self, depth: f64) -> f64 {
         self.pieces.inverse_tau(depth)
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         self.pieces.extrema(a, b)
     }

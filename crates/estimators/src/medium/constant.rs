@@ -78,6 +78,9 @@ impl Medium for Constant {
             if t < length { t } else { length }
         })
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, _a: f64, _b: f64) -> (f64, f64) {
         (self.parameters.mu, self.parameters.mu)
     }

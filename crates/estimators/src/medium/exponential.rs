@@ -1,7 +1,7 @@
 use crate::extinction::{self, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
-use freepath_draws::math;
+use freepath_draws::{math, quadrature};
 
 /// An atmosphere: extinction that falls exponentially, or grows if the scale height is negative.
 ///
@@ -90,6 +90,12 @@ impl Medium for Exponential {
             let t = -scale_height * libm::log1p(-(depth / mu0) / scale_height);
             if t < length { t } else { length }
         })
+    }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
+    fn features(&self) -> Vec<f64> {
+        quadrature::decays(self.parameters.length, &[self.per_height.abs()])
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         super::pieces::extrema([self.mu(a), self.mu(b)].into_iter())

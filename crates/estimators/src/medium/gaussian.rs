@@ -1,8 +1,12 @@
+use super::view;
 use crate::extinction::{Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
 use freepath_draws::math;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
+/// Where the flanks of the bump are split, in widths from the center: from the last one on it is below the least f64.
+const FLANKS: [f64; 14] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 12.0, 17.0, 25.0, 39.0];
 
 /// A Gaussian bump over a constant base.
 ///
@@ -85,6 +89,14 @@ impl Medium for Gaussian {
         let Parameters { peak, center, width, base, .. } = self.parameters;
         let q = width * SQRT_2;
         base * t + peak * width * FRAC_PI_2.sqrt() * (libm::erf((t - center) / q) + libm::erf(center / q))
+    }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
+    fn features(&self) -> Vec<f64> {
+        let Parameters { center, width, length, .. } = self.parameters;
+        let flanks = FLANKS.iter().rev().map(|x| center - x * width);
+        view::inside(flanks.chain(FLANKS[1..].iter().map(|x| center + x * width)), length)
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let (left, right) = (self.mu(a), self.mu(b));

@@ -84,6 +84,9 @@ impl Medium for Linear {
         let total = self.tau(self.length());
         extinction::invert(depth, total, || self.ramp.inverse_tau(depth))
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         super::pieces::extrema([self.mu(a), self.mu(b)].into_iter())
     }

@@ -136,6 +136,9 @@ impl Medium for Numeric {
     fn tau_error(&self) -> f64 {
         2.0 * self.panels.error
     }
+    fn features(&self) -> Vec<f64> {
+        self.panels.features(self.length, &self.breaks)
+    }
     fn inverse_tau(&self, depth: f64) -> f64 {
         let Panels { edges, depths, .. } = &self.panels;
         extinction::invert(depth, depths.total(), || {

@@ -74,6 +74,18 @@ impl Panels {
         })
     }
 
+    /// The `breaks` of a function on [0, length], and the ends of the panels that had to be halved.
+    pub(super) fn features(&self, length: f64, breaks: &[f64]) -> Vec<f64> {
+        let whole = 0.75 * length / FIRST; // whoever is shorter was halved, or lies between breaks
+        let short = |w: &&[f64]| w[1] - w[0] < whole;
+        let halved = self.edges.windows(2).filter(short).flat_map(|w| [w[0], w[1]]);
+        let mut places: Vec<f64> =
+            halved.chain(breaks.iter().copied()).filter(|&t| t > 0.0 && t < length).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        places
+    }
+
     /// The panel that `t` lies in.
     pub(super) fn panel_of(&self, t: f64) -> usize {
         self.edges[1..self.edges.len() - 1].partition_point(|&edge| edge <= t)

@@ -100,6 +100,9 @@ impl Medium for PiecewiseConstant {
             if t < end { t } else { end }
         })
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let met = &self.parameters.values[self.piece(a)..=self.piece(b)];
         pieces::extrema(met.iter().copied())

@@ -108,6 +108,9 @@ impl Medium for PiecewiseLinear {
             if t < end { t } else { end }
         })
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let (first, last) = (self.piece(a), self.piece(b));
         let (left, entered) = (&self.ramps[first..last], &self.ramps[first..=last]);

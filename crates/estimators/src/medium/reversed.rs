@@ -118,6 +118,10 @@ impl<M: Medium> Medium for View<M> {
     fn tau_error(&self) -> f64 {
         2.0 * self.inner.tau_error()
     }
+    fn features(&self) -> Vec<f64> {
+        let mirrored = self.inner.features().into_iter().rev().map(|t| mirror(self.length, t));
+        view::inside(mirrored, self.length)
+    }
     fn inverse_tau(&self, depth: f64) -> f64 {
         extinction::invert(depth, self.total, || {
             let rest = self.inner.inverse_tau(self.total - depth);

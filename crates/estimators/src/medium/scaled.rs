@@ -117,6 +117,9 @@ impl<M: Medium> Medium for View<M> {
     fn tau_error(&self) -> f64 {
         self.by * self.inner.tau_error()
     }
+    fn features(&self) -> Vec<f64> {
+        self.inner.features()
+    }
     fn inverse_tau(&self, depth: f64) -> f64 {
         let length = self.length();
         extinction::invert(depth, self.tau(length), || {

@@ -168,6 +168,10 @@ impl<M: Medium> Medium for View<M> {
     fn tau_error(&self) -> f64 {
         2.0 * (self.inner.tau_error() + f64::EPSILON * self.before)
     }
+    fn features(&self) -> Vec<f64> {
+        let shifted = self.inner.features().into_iter().map(|s| shift(self.from, s));
+        view::inside(shifted, self.to - self.from)
+    }
     fn inverse_tau(&self, depth: f64) -> f64 {
         let length = self.length();
         extinction::invert(depth, self.tau(length), || {

@@ -1,3 +1,4 @@
+use super::view;
 use crate::extinction::{self, Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
@@ -6,6 +7,9 @@ use std::f64::consts::{PI, TAU};
 
 /// The most periods along a ray.
 const MOST_PERIODS: f64 = 1e9;
+
+/// The most quarters of periods that are told as features.
+const MOST_QUARTERS: f64 = 4096.0;
 
 /// A wave around a mean.
 ///
@@ -126,6 +130,16 @@ impl Medium for Sinusoid {
             let high = if high < length { high } else { length };
             extinction::solve_between(self, depth, low, high)
         })
+    }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
+    /// Every quarter of a period: where there are too many, the integrals halve their panels as they need.
+    fn features(&self) -> Vec<f64> {
+        let Parameters { frequency, length, .. } = self.parameters;
+        let quarters = 4.0 * frequency * length;
+        let count = if quarters <= MOST_QUARTERS { quarters } else { 0.0 };
+        view::inside((1..=count as u32).map(|k| f64::from(k) / (4.0 * frequency)), length)
     }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let (low, high) = super::pieces::extrema([self.mu(a), self.mu(b)].into_iter());

@@ -42,12 +42,14 @@ impl TransmittanceEstimator for DeltaTracking {
     }
 
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
+        let lookups = expected_lookups(truth);
         let transmittance = libm::exp(-truth.tau(truth.length()));
         TransmittanceClaims {
             moments: Some([transmittance; 6]),
             range: Some((0.0, 1.0)),
             binary: true,
-            lookups: Some(expected_lookups(truth)),
+            lookups: Some(lookups.value),
+            lookups_error: lookups.error,
             ..TransmittanceClaims::default()
         }
     }

@@ -4,11 +4,10 @@ use crate::comb::{Comb, Compensated, Steps, TILE};
 use crate::extinction::{Extinction, Medium};
 use crate::parameter::ParameterError;
 use crate::transmittance::TransmittanceEstimator;
-use freepath_draws::quadrature::integrate;
+use crate::transmittance::ratio_tracking::WeightMoments;
+use freepath_draws::quadrature::{Integral, Panels};
 use freepath_draws::random::{LANES, ScriptedLanes, Uniforms, uniform};
 use freepath_draws::{Draws, PathColumns, Streams, math, simd};
-use std::cell::RefCell;
-use std::collections::HashMap;
 
 /// Ray marching: a Riemann sum of the optical depth, biased by design (Kettunen, d'Eon, Pantaleoni and Novak 2021).
 ///
@@ -142,12 +141,13 @@ impl TransmittanceEstimator for RayMarching {
     }
 
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
-        let moments = self.moments(truth);
+        let (moments, error) = self.moments(truth).map(|known| (known.moments, known.error)).unzip();
         let smooth = truth.breaks().is_empty();
         TransmittanceClaims {
             bounded: false,
             own_mean: moments.map(|moments| moments[0]),
             moments,
+            moments_error: error.unwrap_or(0.0),
             range: Some((0.0, 1.0)),
             lookups: (self.rule != MarchingRule::Midpoint).then_some(self.steps.get() as f64),
             order: smooth.then_some(if self.rule == MarchingRule::Stratified { 3.0 } else { 2.0 }),
@@ -163,42 +163,68 @@ impl TransmittanceEstimator for RayMarching {
 /// Look-ups that the moments may take; with more steps the bias is far below what any run can see.
 const MOST_LOOKUPS: usize = 50_000_000;
 
+/// The powers of a mean, and the depth itself.
+const TERMS: usize = 7;
+
+/// exp(-k depth) for k = 1 to 6, and the depth.
+fn terms(depth: f64) -> [f64; TERMS] {
+    std::array::from_fn(|i| if i < 6 { libm::exp(-(i as f64 + 1.0) * depth) } else { depth })
+}
+
 impl RayMarching {
     /// E[X^k] for k = 1 to 6.
     ///
     /// ```text
     /// comb: int_0^1 exp(-k tau_v) dv;   stratified: prod_j 1/h int over step j of exp(-k h mu)
     /// ```
-    fn moments(&self, truth: &dyn Medium) -> Option<[f64; 6]> {
+    ///
+    /// Beside them the mean depth is integrated, which tau tells in closed form: where the two differ, a feature was missed.
+    fn moments(&self, truth: &dyn Medium) -> Option<WeightMoments> {
         let comb = Comb::new(self.steps, truth);
-        let power = |i: usize| (i + 1) as f64;
         match self.rule {
             MarchingRule::Midpoint => {
                 let depth = comb.depth(truth, || 0.5);
-                Some(std::array::from_fn(|i| libm::exp(-power(i) * depth)))
+                Some(WeightMoments { moments: std::array::from_fn(|i| terms(depth)[i]), error: 0.0 })
             }
             MarchingRule::Comb => {
-                let jumps = comb.jumps(truth.breaks());
-                let depths = RefCell::new(HashMap::new());
-                let depth =
-                    |v: f64| *depths.borrow_mut().entry(v.to_bits()).or_insert_with(|| comb.depth(truth, || v));
-                let moment = |k: f64| integrate(&|v| libm::exp(-k * depth(v)), 0.0, 1.0, &jumps).value;
-                let lookups = 30 * (jumps.len() + 1) * comb.steps;
-                (lookups <= MOST_LOOKUPS).then(|| std::array::from_fn(|i| moment(power(i))))
+                let panels = Panels::part(0.0, 1.0, &comb.jumps(&truth.features()), comb.steps as f64);
+                let mean = || panels.integrate_all(&|v| terms(comb.depth(truth, || v)), [0.0; TERMS]);
+                (30 * panels.count() * comb.steps <= MOST_LOOKUPS).then(|| checked(truth, mean()))
             }
             MarchingRule::Stratified => {
-                let lookups = 90 * (comb.steps + truth.breaks().len());
-                let moment = |k: f64| (0..comb.steps).map(|j| stratum(truth, &comb, j, k)).product();
-                (lookups <= MOST_LOOKUPS).then(|| std::array::from_fn(|i| moment(power(i))))
+                let features = truth.features();
+                (90 * (comb.steps + features.len()) <= MOST_LOOKUPS)
+                    .then(|| checked(truth, stratified(truth, &comb, &features)))
             }
         }
     }
 }
 
-/// The mean of exp(-k h mu) over step `j`.
-fn stratum(truth: &dyn Medium, comb: &Comb, j: usize, k: f64) -> f64 {
-    let (a, b) = (comb.at(j, 0.0), comb.at(j, 1.0));
-    let breaks = truth.breaks();
-    let inner = &breaks[breaks.partition_point(|&x| x <= a)..breaks.partition_point(|&x| x < b)];
-    integrate(&|t| libm::exp(-k * comb.h * truth.mu(t)), a, b, inner).value / (b - a)
+/// The moments among `terms`, their error relative to each and at least what the mean depth misses.
+fn checked(truth: &dyn Medium, terms: [Integral; TERMS]) -> WeightMoments {
+    let moments: [f64; 6] = std::array::from_fn(|i| terms[i].value);
+    let relative = terms[..6].iter().map(|term| if term.value > 0.0 { term.error / term.value } else { 0.0 });
+    let missed = (terms[6].value - truth.tau(truth.length())).abs() + truth.tau_error();
+    let worst = relative.fold(0.0, |worst, error| if worst < error { error } else { worst });
+    WeightMoments { moments, error: worst + 6.0 * missed }
+}
+
+/// The product over the steps of the mean of exp(-k h mu), its error that of each factor in turn; and the sum of the depths.
+fn stratified(truth: &dyn Medium, comb: &Comb, features: &[f64]) -> [Integral; TERMS] {
+    let one = |i: usize| Integral { value: if i < 6 { 1.0 } else { 0.0 }, error: 0.0 };
+    let mut total: [Integral; TERMS] = std::array::from_fn(one);
+    for j in 0..comb.steps {
+        let (a, b) = (comb.at(j, 0.0), comb.at(j, 1.0));
+        let panels = Panels::part(a, b, features, truth.length());
+        let step = panels.integrate_all(&|t| terms(comb.h * truth.mu(t)), [0.0; TERMS]);
+        for (k, (total, step)) in total.iter_mut().zip(step).enumerate() {
+            let (value, error) = (step.value / (b - a), step.error / (b - a));
+            if k < 6 {
+                *total = Integral { value: total.value * value, error: total.error * value + total.value * error };
+            } else {
+                *total += Integral { value, error };
+            }
+        }
+    }
+    total
 }

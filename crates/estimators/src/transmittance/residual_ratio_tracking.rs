@@ -5,7 +5,7 @@ use crate::extinction::{Extinction, Medium};
 use crate::majorants::Majorants;
 use crate::parameter::{self, ParameterError};
 use crate::transmittance::TransmittanceEstimator;
-use crate::transmittance::ratio_tracking::{Ratio, moments};
+use crate::transmittance::ratio_tracking::{Ratio, WeightMoments, moments};
 use crate::woodcock::{Form, RateSegment, Rates, walk, walks};
 use freepath_draws::{Draws, Streams, math};
 
@@ -104,9 +104,11 @@ impl TransmittanceEstimator for ResidualRatioTracking {
     fn claims(&self, truth: &dyn Medium) -> TransmittanceClaims {
         let rates = self.rates(truth.majorants());
         let start = libm::exp(-rates.control_depth());
+        let WeightMoments { moments, error } = moments(truth, &rates, start);
         TransmittanceClaims {
             bounded: false,
-            moments: Some(moments(truth, &rates, start)),
+            moments: Some(moments),
+            moments_error: error,
             range: within(&rates, truth).then_some((0.0, start)),
             lookups: Some(rates.depth()),
             poisson: Some(rates.depth()),

@@ -1,4 +1,4 @@
-use freepath_draws::quadrature::integrate;
+use super::excess::{Excess, Excesses};
 use freepath_estimators::Medium;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
@@ -58,13 +58,10 @@ fn splits(medium: &dyn Medium) -> Vec<f64> {
 }
 
 /// A part of the ray, shortened so that it holds few breaks.
-fn shortened(breaks: &[f64], (from, to): (f64, f64)) -> (f64, f64, &[f64]) {
+fn shortened(breaks: &[f64], (from, to): (f64, f64)) -> (f64, f64) {
     let first = breaks.partition_point(|&at| at <= from);
     let last = breaks.partition_point(|&at| at < to);
-    if last - first <= MOST_BREAKS {
-        return (from, to, &breaks[first..last]);
-    }
-    (from, breaks[first + MOST_BREAKS], &breaks[first..first + MOST_BREAKS])
+    (from, if last - first <= MOST_BREAKS { to } else { breaks[first + MOST_BREAKS] })
 }
 
 /// tau(b) - tau(a) = int_a^b mu, tau(0) = 0.
@@ -73,13 +70,11 @@ fn depth(medium: &dyn Medium) -> Option<String> {
     if !(medium.tau(0.0).abs() <= ROUNDING * total && total >= 0.0 && total < f64::INFINITY) {
         return Some(format!("tau is {} at 0 and {total} at the end", medium.tau(0.0)));
     }
+    let (features, slack) = (medium.features(), ROUNDING * total + 2.0 * medium.tau_error());
     splits.windows(2).find_map(|w| {
-        let (from, to, breaks) = shortened(medium.breaks(), (w[0], w[1]));
-        let seen = medium.tau(to) - medium.tau(from);
-        let due = integrate(&|t| medium.mu(t), from, to, breaks);
-        let slack = ROUNDING * total + 2.0 * medium.tau_error() + due.error;
-        let why = format!("tau grows by {seen:e} from {from} to {to}, where mu has the integral {:e}", due.value);
-        (!((seen - due.value).abs() <= slack)).then_some(why)
+        let (from, to) = shortened(medium.breaks(), (w[0], w[1]));
+        let Excess { seen, due } = Excesses { medium, features: &features, slack }.settled(from, to)?;
+        Some(format!("tau grows by {seen:e} from {from} to {to}, where mu has the integral {due:e}"))
     })
 }
 

@@ -5,7 +5,7 @@ use freepath_statistics::claim::{
     Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
 };
 use freepath_statistics::fold::{Event, EventSums, FoldId, Strays};
-use freepath_statistics::hypothesis::MeanClaim;
+use freepath_statistics::hypothesis::{MeanClaim, SecondMoment};
 
 /// The weighted mean of one event in one channel.
 pub(super) struct EventMean {
@@ -19,6 +19,8 @@ pub(super) struct EventMean {
     pub(super) mean: MeanClaim,
     /// E[w^2; event], E[w^4; event] and E[w^6; event], where a formula is known.
     pub(super) moments: Option<[f64; 3]>,
+    /// How far quadrature may put them off, relative to each.
+    pub(super) moments_error: f64,
     /// Nothing says that the weights have a variance: no formula for the event, nor for any scattering.
     pub(super) keeps_tail: bool,
 }
@@ -63,13 +65,15 @@ impl Events {
 
     /// Each event has its mean and, where a formula is known, its second moment.
     pub(super) fn means(self, claims: &mut Claims) {
-        for (EventMean { channel, event, name, mean, moments, .. }, sums) in self.means.into_iter().zip(self.sums)
+        for (EventMean { channel, event, name, mean, moments, moments_error: error, .. }, sums) in
+            self.means.into_iter().zip(self.sums)
         {
             let second = format!("second_moment_{name}");
             claims.push(EventClaim { name, channel, event, mean, sums });
             if let Some(moments) = moments {
                 let sums = Moments::Event(sums);
-                claims.push(SecondMomentClaim { name: second, sums, moments, slack: mean.slack });
+                let moment = SecondMoment { moments, error, slack: mean.slack };
+                claims.push(SecondMomentClaim { name: second, sums, moment });
             }
         }
     }

@@ -1,24 +1,22 @@
 use super::{Claim, Summary, Withdrawal};
 use crate::fold::{FoldId, Lookups, Tallies};
-use crate::hypothesis;
+use crate::hypothesis::{self, Cost};
 use crate::judged::Judged;
 use freepath_results::ClaimResult;
 
 /// A draw makes so many look-ups on average.
 pub struct LookupsClaim {
     /// So many.
-    pub expected: f64,
+    pub cost: Cost,
     /// The look-ups that the audit saw.
     pub lookups: FoldId<Lookups>,
     /// Rows of a block.
     pub rows: usize,
-    /// The most by which the mean may be off.
-    pub slack: f64,
 }
 
 impl Claim for LookupsClaim {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new("lookups", format!("a draw makes {:.4e} look-ups on average", self.expected)))
+        Some(ClaimResult::new("lookups", format!("a draw makes {:.4e} look-ups on average", self.cost.expected)))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
@@ -27,10 +25,10 @@ impl Claim for LookupsClaim {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let blocks = &tallies.counts(self.lookups).blocks;
-        into.evidence.push(hypothesis::lookups(blocks, self.rows, self.expected, self.slack));
+        into.evidence.push(hypothesis::lookups(blocks, self.rows, self.cost));
     }
 
     fn state(&self, into: &mut Summary) {
-        into.lookups_expected = Some(self.expected);
+        into.lookups_expected = Some(self.cost.expected);
     }
 }

@@ -1,13 +1,13 @@
 use super::{Claim, Withdrawal};
 use crate::fold::Tallies;
-use crate::hypothesis;
+use crate::hypothesis::{self, PdfMass};
 use crate::judged::Judged;
 use freepath_results::ClaimResult;
 
 /// The density that a sampler returns is one: an identity without noise.
 pub struct PdfIntegral {
     /// Its integral over all that may be drawn, plus the probability of what has no density.
-    pub integral: f64,
+    pub mass: PdfMass,
     /// Over what, in words.
     pub over: &'static str,
 }
@@ -23,6 +23,6 @@ impl Claim for PdfIntegral {
     }
 
     fn judge(&self, _: &Tallies, into: &mut Judged) {
-        into.evidence.push(hypothesis::pdf_integral(self.integral));
+        into.evidence.push(hypothesis::pdf_integral(self.mass));
     }
 }

@@ -1,7 +1,7 @@
 use super::mean::power_sums;
 use super::{Claim, Withdrawal};
 use crate::fold::{EventSums, FoldId, Tallies, Weights};
-use crate::hypothesis;
+use crate::hypothesis::{self, SecondMoment};
 use crate::judged::Judged;
 use crate::tally::PowerSums;
 use freepath_results::ClaimResult;
@@ -21,15 +21,13 @@ pub struct SecondMomentClaim {
     pub name: String,
     /// The sums.
     pub sums: Moments,
-    /// E[X^2], E[X^4] and E[X^6].
-    pub moments: [f64; 3],
-    /// The most by which the mean may be off.
-    pub slack: f64,
+    /// What it is.
+    pub moment: SecondMoment,
 }
 
 impl Claim for SecondMomentClaim {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new(self.name.clone(), format!("the second moment is {:.4e}", self.moments[0])))
+        Some(ClaimResult::new(self.name.clone(), format!("the second moment is {:.4e}", self.moment.moments[0])))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
@@ -41,6 +39,6 @@ impl Claim for SecondMomentClaim {
             Moments::Column(weights) => power_sums(tallies, weights),
             Moments::Event(event) => super::event::power_sums(tallies, event),
         };
-        into.evidence.push(hypothesis::second_moment(&self.name, &sums, self.moments, self.slack));
+        into.evidence.push(hypothesis::second_moment(&self.name, &sums, self.moment));
     }
 }

@@ -14,7 +14,7 @@ pub(super) const TEST: Test = Test {
 t = (mean block total - expected) / (sd / sqrt(blocks))
 p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
 ```
-Gate:    20 blocks, and a variance of the total of 400 squared costs.
+Gate:    a mean that quadrature knows to 1e-6, 20 blocks, and a variance of the total of 400 squared costs.
 Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.",
     nulls: &[NullClass::Uniform, NullClass::Conservative],
     section: "lookups",
@@ -58,7 +58,21 @@ const FEWEST_BLOCKS: u64 = 20;
 /// Least variance of the sum of all draws, in units of the square of what a rare draw changes: 1 / 0.03^2.
 const LEAST_VARIANCE: f64 = 1111.0;
 
-/// The cost law: `expected` look-ups per draw, known up to `slack`, over blocks of `rows` draws.
+/// The most that quadrature may leave of a cost, in look-ups and relative to it.
+const MOST_LEFT: f64 = 1e-6;
+
+/// The cost of a draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// Its mean, in look-ups.
+    pub expected: f64,
+    /// How far quadrature may put it off.
+    pub error: f64,
+    /// How far it may be off.
+    pub slack: f64,
+}
+
+/// The cost law, over blocks of `rows` draws.
 ///
 /// A cost that does not vary is held against the chance that all `n` draws cost the same although the mean says otherwise:
 ///
@@ -66,13 +80,18 @@ const LEAST_VARIANCE: f64 = 1111.0;
 /// p = exp(-|total - n expected| / c),   c = 1 + the cost of a draw, the most that a rare draw is taken to change
 /// ```
 ///
-/// Student's t is withheld where what varies may be a few such rare draws, variance of all n draws < 1111 c^2: the skewness of their
+/// It is withheld where quadrature leaves more than 1e-6 of the cost; Student's t where what varies may be a few such rare draws, variance of all n draws < 1111 c^2: the skewness of their
 /// sum may then be above 0.03, where p-values of 1e-7 come three times too often.
 #[must_use]
-pub fn lookups(seen: &BlockLookups, rows: usize, expected: f64, slack: f64) -> Evidence {
+pub fn lookups(seen: &BlockLookups, rows: usize, cost: Cost) -> Evidence {
+    let Cost { expected, error, slack } = cost;
     let (blocks, want) = (seen.blocks as f64, expected * rows as f64);
     let mean = seen.sum as f64 / blocks;
-    let excess = lessened(mean - want, slack * rows as f64 + 1e-9 * (want + 1.0));
+    let excess = lessened(mean - want, (slack + error) * rows as f64 + 1e-9 * (want + 1.0));
+    if !(error <= MOST_LEFT * (1.0 + expected)) {
+        let why = format!("quadrature leaves {error:.1e} of the {expected:.3} look-ups unknown");
+        return Evidence::withheld(TEST.name, excess, Reason::WrongCost, why);
+    }
     let evidence = |statistic, dof, p| Evidence::new(TEST.name, statistic, dof, p, Reason::WrongCost);
     let largest = 1.0 + (if mean > want { mean } else { want }) / rows as f64;
     let scatter = seen.squares * u128::from(seen.blocks) - seen.sum * seen.sum;
@@ -97,7 +116,7 @@ mod tests {
     fn p(totals: &[u64], expected: f64) -> Option<f64> {
         let mut seen = BlockLookups::default();
         totals.iter().for_each(|&total| seen.observe(total));
-        lookups(&seen, ROWS as usize, expected, 0.0).p
+        lookups(&seen, ROWS as usize, Cost { expected, error: 0.0, slack: 0.0 }).p
     }
 
     #[test]
@@ -118,6 +137,15 @@ mod tests {
     #[test]
     fn one_block_of_random_cost_says_nothing() {
         assert_eq!(p(&[ROWS + 77], 1.0), None);
+    }
+
+    #[test]
+    fn a_cost_that_quadrature_does_not_know_says_nothing() {
+        let mut seen = BlockLookups::default();
+        (0..5).for_each(|_| seen.observe(8 * ROWS));
+        let judged = |error| lookups(&seen, ROWS as usize, Cost { expected: 8.000_001, error, slack: 0.0 }).p;
+        assert!(judged(0.0) < Some(1.0) && judged(2e-6) == Some(1.0));
+        assert_eq!([1e-3, f64::NAN].map(judged), [None, None]);
     }
 
     #[test]

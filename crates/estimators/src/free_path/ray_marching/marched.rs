@@ -1,7 +1,7 @@
 use super::rule::MarchingRule;
 use crate::comb::{Comb, Steps, TILE};
 use crate::extinction::Medium;
-use freepath_draws::quadrature::{Point, points};
+use freepath_draws::quadrature::{Panels, Point, points};
 
 /// Numbers that the table of a law may hold; with more steps the law is the medium's as far as any run can see.
 const MOST_NUMBERS: usize = 1 << 23;
@@ -89,27 +89,46 @@ impl Columns<'_> {
         Some(self)
     }
 
-    /// The same with as many columns as make the mean over v right: panels between the jumps, halved where need be.
-    fn averaged(mut self) -> Option<Self> {
-        let jumps = self.comb.jumps(self.truth.breaks());
-        let ends: Vec<f64> = [0.0].into_iter().chain(jumps).chain([1.0]).collect();
+    /// The same with as many columns as make the mean over v right: panels between the breaks, halved where need be. Every column
+    /// costs each look at the law, so that features are told only to those that miss one.
+    fn averaged(&self) -> Option<Self> {
+        let between = |places: &[f64]| [&[0.0][..], &self.comb.jumps(places), &[1.0]].concat();
+        let averaged = self.over(&between(self.truth.breaks()))?;
+        if averaged.missed() <= 1e-9 * (1.0 + self.truth.tau(self.truth.length())) {
+            return Some(averaged);
+        }
+        let jumps = self.comb.jumps(&self.truth.features());
+        self.over(Panels::part(0.0, 1.0, &jumps, self.comb.steps as f64).ends())
+    }
+
+    /// The same with columns in the panels between the `ends`, each halved until its two rules agree.
+    fn over(&self, ends: &[f64]) -> Option<Self> {
+        let mut columns = Self { weight: vec![], depth: vec![], ..*self };
         let mut open: Vec<(f64, f64)> = ends.windows(2).map(|w| (w[0], w[1])).collect();
         if 15 * open.len() * (self.comb.steps + 1) > MOST_NUMBERS {
             return None;
         }
         while let Some((a, b)) = open.pop() {
-            let first = self.weight.len();
+            let first = columns.weight.len();
             for point in points(a, b) {
-                self = self.with(point.x, point.kronrod)?;
+                columns = columns.with(point.x, point.kronrod)?;
             }
-            if b - a > 1e-6 && self.disagreement(first, a, b) > 1e-12 {
-                self.weight.truncate(first);
-                self.depth.truncate(first);
+            if b - a > 1e-6 && columns.disagreement(first, a, b) > 1e-12 {
+                columns.weight.truncate(first);
+                columns.depth.truncate(first);
                 let m = 0.5 * (a + b);
                 open.extend([(a, m), (m, b)]);
             }
         }
-        Some(self)
+        Some(columns)
+    }
+
+    /// The most by which the mean depth before a step, which is tau there, is missed.
+    fn missed(&self) -> f64 {
+        let mean =
+            |i: usize| -> f64 { self.weight.iter().zip(&self.depth).map(|(w, column)| w * column[i]).sum() };
+        let apart = |i: usize| (mean(i) - self.truth.tau(self.comb.at(i, 0.0))).abs();
+        (0..=self.comb.steps).map(apart).fold(0.0, |worst, apart| if apart <= worst { worst } else { apart })
     }
 
     /// The greatest difference of the two rules over the panel from `a` to `b`, whose columns begin at `first`.

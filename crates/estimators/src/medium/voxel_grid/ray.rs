@@ -131,6 +131,9 @@ impl Medium for GridRay {
         let part = (depth - self.depths[i]) / self.width(i);
         self.knots[i] + self.width(i) * self.cells[i].mu.reach(part)
     }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
     fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
         let mut range = widen((self.mu(a), self.mu(a)), self.mu(b));
         for i in self.cell(a)..=self.cell(b) {

@@ -4,7 +4,7 @@ use freepath_draws::column::T;
 use crate::kind::Source;
 use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
-use freepath_draws::quadrature::integrate;
+use freepath_draws::quadrature::{Integral, Panels, decays};
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::ChromaticSampler;
@@ -14,10 +14,13 @@ use freepath_statistics::claim::{
     Withdrawal,
 };
 use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
-use freepath_statistics::hypothesis::pair_probability;
+use freepath_statistics::hypothesis::{PdfMass, pair_probability};
 use freepath_statistics::Law;
 use freepath_statistics::tally::Scores;
 use std::sync::Arc;
+
+/// The most that quadrature may leave of the moments, relative to each, for a variance by formula to be one.
+const MOST_LEFT: f64 = 1e-9;
 
 pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromatic>, terms: &Terms) -> Plan<'a> {
     let said = source.sampler().map(|sampler| sampler.claims(&medium.channels())).unwrap_or_default();
@@ -37,8 +40,8 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
         None => Events::path(medium.length(), Escaping { share: f64::NAN, remedy: escaping::of_sampler }, &mut claims),
     }
     Events::rows(medium.media().len(), &mut claims);
-    if let Some(integral) = source.sampler().filter(|_| known).and_then(|sampler| integral(sampler, medium)) {
-        claims.push(PdfIntegral { integral, over: "the ray and its end" });
+    if let Some(mass) = source.sampler().filter(|_| known).and_then(|sampler| mass(sampler, medium)) {
+        claims.push(PdfIntegral { mass, over: "the ray and its end" });
     }
     if let Some(events) = events {
         events.means(&mut claims);
@@ -46,12 +49,16 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     Plan { claims, beside: Vec::new() }
 }
 
-/// The integral of the pdf over the ray plus the probability of the surface, if the sampler offers its pdf.
-fn integral(sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Option<f64> {
+/// The integral of the pdf over the ray plus the probability of the surface, if the sampler offers its pdf: from panels that
+/// follow the decay of every channel, and from panels a quarter as long.
+fn mass(sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Option<PdfMass> {
     let channels = medium.channels();
     let inside = |t: f64| sampler.pdf(&channels, t).unwrap_or(f64::NAN);
     let surface = sampler.pdf(&channels, f64::INFINITY)?;
-    Some(surface + integrate(&inside, 0.0, medium.length(), &[]).value)
+    let rates: Vec<f64> = channels.iter().map(|channel| channel.extinction.mu(0.0)).collect();
+    let panels = Panels::new(0.0, medium.length(), &decays(medium.length(), &rates));
+    let (Integral { value, error }, finer) = (panels.integrate(&inside), panels.finer(4).integrate(&inside));
+    Some(PdfMass { integral: surface + value, error, finer: surface + finer.value })
 }
 
 /// The mixture that the distance follows, whatever its weights.
@@ -115,8 +122,9 @@ fn of_channel(
             channel: k,
             event,
             name,
-            mean: weights(expected, moments, likely, slack),
+            mean: weights(expected, moments.filter(|_| said.moments_error <= MOST_LEFT), likely, slack),
             moments,
+            moments_error: said.moments_error,
             keeps_tail: moments.is_none() && (event == Event::Surface || said.scatter_moments.is_none()),
         }
     };

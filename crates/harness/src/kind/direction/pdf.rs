@@ -3,10 +3,11 @@
 use super::COLUMNS;
 use crate::identities;
 use freepath_draws::Draws;
-use freepath_draws::quadrature::integrate;
+use freepath_draws::quadrature::{Integral, Panels};
 use freepath_estimators::DirectionSampler;
 use freepath_estimators::direction::{Directions, PDF, Vector, is_unit};
 use freepath_results::Reason;
+use freepath_statistics::hypothesis::PdfMass;
 use freepath_statistics::{Fact, check};
 use std::f64::consts::TAU;
 
@@ -21,13 +22,15 @@ const AZIMUTHS: u32 = 8;
 /// So near to the rim of the support, along a chord, rounding may take a direction to either side.
 const RIM: f64 = 1e-9;
 
-/// The integral over the sphere of the density that a sampler tells.
-pub(super) fn integral(sampler: &dyn DirectionSampler, truth: &Directions) -> f64 {
+/// The integral over the sphere of the density that a sampler tells, and the same from panels a quarter as long.
+pub(super) fn mass(sampler: &dyn DirectionSampler, truth: &Directions) -> PdfMass {
     let ring = |depth: f64| {
         let pdf = |azimuth| sampler.pdf(truth.normal(), truth.at(depth, azimuth));
         TAU * azimuths().map(pdf).sum::<f64>() / f64::from(AZIMUTHS)
     };
-    integrate(&ring, 0.0, 2.0, &[truth.height()]).value
+    let panels = Panels::new(0.0, 2.0, &[truth.height()]);
+    let Integral { value: integral, error } = panels.integrate(&ring);
+    PdfMass { integral, error, finer: panels.finer(4).integrate(&ring).value }
 }
 
 /// The first direction that is no unit vector.

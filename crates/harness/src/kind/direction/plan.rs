@@ -33,7 +33,7 @@ pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction
     claims.push(SecondRank(LawClaim { grows: false, ..follows(&law, &azimuth) }));
     claims.push(JointRanks { law: law.clone(), cells: joint.cells, reason });
     if let Some(sampler) = source.sampler() {
-        claims.push(PdfIntegral { integral: pdf::integral(sampler, truth), over: "the sphere" });
+        claims.push(PdfIntegral { mass: pdf::mass(sampler, truth), over: "the sphere" });
     }
     order(&law, [angle, azimuth], terms, &mut claims);
     Plan { claims, beside: Vec::new() }

@@ -16,7 +16,7 @@ use freepath_statistics::claim::{
 use freepath_statistics::fold::{
     Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties, UnitWeight, Values,
 };
-use freepath_statistics::hypothesis::pair_probability;
+use freepath_statistics::hypothesis::{Cost, pair_probability};
 use freepath_statistics::tally::Scores;
 use std::sync::Arc;
 
@@ -245,8 +245,8 @@ impl<'a, 'b> Builder<'a, 'b> {
     fn cost(&mut self) {
         let Terms { rows, tolerance, .. } = *self.terms;
         if let Some(expected) = self.said.lookups {
-            let lookups = self.lookups;
-            self.claims.push(LookupsClaim { expected, lookups, rows, slack: tolerance });
+            let cost = Cost { expected, error: self.said.lookups_error, slack: tolerance };
+            self.claims.push(LookupsClaim { cost, lookups: self.lookups, rows });
         }
     }
 }

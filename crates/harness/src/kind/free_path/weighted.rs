@@ -35,6 +35,7 @@ fn means(ray: Ray, terms: &Terms) -> Vec<EventMean> {
         name,
         mean: weights(expected, None, None, slack),
         moments: None,
+        moments_error: 0.0,
         keeps_tail: true,
     };
     let bin = |bin: usize| {

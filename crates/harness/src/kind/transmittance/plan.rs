@@ -9,7 +9,7 @@ use freepath_statistics::claim::{
     OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets,
 };
 use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, Weights};
-use freepath_statistics::hypothesis::MeanClaim;
+use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 
 /// The claims of the estimator: of a file nothing that is not true of any right estimator.
 pub(super) fn said(ray: Ray, source: &Source<Transmittance>) -> TransmittanceClaims {
@@ -31,6 +31,9 @@ fn closed_form(ray: Ray) -> TransmittanceClaims {
     }
 }
 
+/// The most that quadrature may leave of the moments, relative to each, for a variance by formula to be one.
+const MOST_LEFT: f64 = 1e-9;
+
 /// The mean of the estimates.
 pub(super) struct Mean {
     /// T.
@@ -44,7 +47,8 @@ pub(super) struct Mean {
 impl Mean {
     pub(super) fn of(ray: Ray, source: &Source<Transmittance>, terms: &Terms) -> Self {
         let (claims, transmittance) = (said(ray, source), ray.transmittance());
-        let (variance, skewness) = claims.moments.as_ref().map(spread).unzip();
+        let exact = claims.moments.filter(|_| claims.moments_error <= MOST_LEFT);
+        let (variance, skewness) = exact.as_ref().map(spread).unzip();
         let truth = MeanClaim {
             expected: transmittance,
             slack: terms.tolerance + transmittance * ray.truth.tau_error(),
@@ -53,7 +57,7 @@ impl Mean {
             variance,
             skewness,
         };
-        let own = |expected| MeanClaim { expected, slack: terms.tolerance + 1e-10 * transmittance, ..truth };
+        let own = |expected| MeanClaim { expected, slack: terms.tolerance + (1e-10 + claims.moments_error) * transmittance, ..truth };
         let known = terms.stands(Withdrawal::Truth);
         let second = known && !claims.binary && terms.stands(Withdrawal::SecondMoment);
         Self {
@@ -116,7 +120,7 @@ impl<'b> Builder<'_, 'b> {
         let spread = Spread { range: truth.range, binary: truth.binary };
         self.claims.push(MeanAgreement { weights, spread });
         let design_bias = self.mean.own.map_or(0.0, |own| own.expected - truth.expected);
-        let moments = self.mean.moments;
+        let moments = self.mean.moments.filter(|_| self.said.moments_error <= MOST_LEFT);
         self.claims.push(EfficiencyClaim { weights, lookups, truth, design_bias, moments });
     }
 
@@ -132,7 +136,9 @@ impl<'b> Builder<'_, 'b> {
         }
         if let Some([_, m2, _, m4, _, m6]) = moments {
             let (name, sums) = ("second_moment".to_string(), Moments::Column(weights));
-            self.claims.push(SecondMomentClaim { name, sums, moments: [m2, m4, m6], slack: truth.slack });
+            let error = self.said.moments_error;
+            let moment = SecondMoment { moments: [m2, m4, m6], error, slack: truth.slack };
+            self.claims.push(SecondMomentClaim { name, sums, moment });
         }
     }
 
@@ -145,7 +151,8 @@ impl<'b> Builder<'_, 'b> {
             self.claims.push(PoissonClaim { mean, counts, slack });
         }
         if let Some(expected) = self.said.lookups {
-            self.claims.push(LookupsClaim { expected, lookups: self.lookups, rows, slack });
+            let cost = Cost { expected, error: self.said.lookups_error, slack };
+            self.claims.push(LookupsClaim { cost, lookups: self.lookups, rows });
         }
     }
 }
