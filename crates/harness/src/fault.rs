@@ -116,6 +116,7 @@ faults! {
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",
     draws::nan_draw::NanDraw: "one walk of so many gives NaN",
     draws::duplicated_draws::DuplicatedDraws: "now and then a draw repeats the one before it",
+    draws::cold_start::ColdStart: "the first draws of a start find the ray empty",
     draws::completion_order::CompletionOrder: "draws are handed out in the order in which walks end",
     uniforms::mirrored_uniforms::MirroredUniforms: "harmless: -ln(u) in place of -ln(1 - u), u in (0, 1]",
     draws::compensated_roulette::CompensatedRoulette: "harmless: a roulette whose survivors are raised",

@@ -6,7 +6,7 @@
 //!
 //! # Errors held
 //! A fault counts as caught if it would be caught in a run of [`FAMILY`] p-values whose others are all 1: Holm then asks the least
-//! p-value of each stage to be at most 1e-7. So a row does not depend on its neighbours, and no fault is seen sooner here than
+//! p-value of each stage to be at most 7e-8, or that of one stage alone to be at most 2.5e-11. So a row does not depend on its neighbours, and no fault is seen sooner here than
 //! in a run as large as the shipped cases. A row that must stay silent is judged the other way, by Holm over its own p-values
 //! alone: were it the only subject, nothing would reject it.
 
@@ -17,7 +17,7 @@ mod words;
 use crate::case::Prepared;
 use crate::run::{Cancelled, Options};
 use freepath_results::{POWER_SCHEMA_VERSION, PowerResults, PowerRow, Real, Verdict};
-use freepath_statistics::decide::STAGE_ALPHA;
+use freepath_statistics::decide::Levels;
 use rayon::prelude::*;
 
 /// The p-values of the run that a fault must be caught in.
@@ -38,7 +38,8 @@ pub fn power(cases: &[Prepared], options: &Options) -> Result<PowerResults, Canc
         schema_version: POWER_SCHEMA_VERSION,
         version: env!("CARGO_PKG_VERSION").into(),
         seed: options.seed,
-        stage_alpha: Real(STAGE_ALPHA),
+        stage_alpha: Real(Levels::RULE.both),
+        alone_alpha: Some(Real(Levels::RULE.alone)),
         family: FAMILY,
         repro: options.repro.clone(),
         rows: rows?,

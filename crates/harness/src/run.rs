@@ -8,7 +8,7 @@ use crate::origin::Origin;
 use crate::subject::{BLOCK, Subject};
 use freepath_results::Grown;
 use freepath_statistics::Judged;
-use freepath_statistics::decide::{STAGE_ALPHA, suspect};
+use freepath_statistics::decide::{SUSPECT, suspect};
 use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
@@ -218,7 +218,7 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
     let (mut judged, mut draws) = (plan.claims.judge(&collected.tallies), collected.tallies.draws);
     let settings = Settings { prepared, subject, plan, seed: options.seed };
     settings.agree(&collected.tallies, &(blocks..3 * blocks), &watch, &mut judged)?;
-    if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > STAGE_ALPHA)) {
+    if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > SUSPECT)) {
         let planned = |draws| (options.progress)(Progress::Planned(draws), &prepared.name);
         let growth = grow::Growth { seed: options.seed, watch: &watch, planned: &planned };
         let most = if subject.finished() { 0 } else { 2 * grown.draws };

@@ -28,7 +28,8 @@ pub struct Options<'a> {
     pub seed: u64,
     /// Full judgements.
     pub runs: u64,
-    /// Family-wise errors of the stages, in (0, 1): each run is decided at each of them, on the same draws.
+    /// Family-wise errors of the stages where both must reject, in (0, 1): each run is decided by the rule at each of them, on the same draws.
+    /// One stage rejects alone at half their squares.
     pub levels: &'a [f64],
     /// Set to cancel.
     pub cancelled: &'a AtomicBool,

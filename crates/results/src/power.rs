@@ -20,6 +20,9 @@ pub struct PowerResults {
     pub seed: u64,
     /// The family-wise error of each of the two stages.
     pub stage_alpha: Real,
+    /// The family-wise error of each stage where one rejects alone; none in results of before it could.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub alone_alpha: Option<Real>,
     /// A fault is caught as in a run of so many p-values, each of the others 1.
     pub family: usize,
     /// The command that gives these results again.
@@ -100,7 +103,7 @@ pub struct Sighting {
     pub fact: bool,
     /// The reason that it gives.
     pub reason: Reason,
-    /// The p-value of stage 2, before Holm; none of a fact.
+    /// The p-value of stage 2, before Holm, or that of the stage that rejects alone; none of a fact.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub p: Option<Real>,
 }

@@ -42,20 +42,23 @@ pub struct SoakResults {
 /// False alarms at one level of the stages.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct LevelResult {
-    /// The family-wise error of each stage.
+    /// The family-wise error of each stage, where both must reject.
     pub level: Real,
     /// Runs in which stage 1 rejects something.
     pub stage_1: AlarmRate,
     /// Runs in which both stages reject something: the product of the levels.
     pub both: AlarmRate,
-    /// Runs in which both stages reject the same subject, which so fails.
+    /// Runs in which one stage rejects something alone, at half the square of the level for each stage.
+    #[serde(default)]
+    pub alone: AlarmRate,
+    /// Runs in which a subject fails, as both stages reject it or one alone: twice the product of the levels.
     pub confirmed: AlarmRate,
     /// The first runs in which stage 1 rejects something, at most 20.
     pub alarms: Vec<SoakAlarm>,
 }
 
 /// A rate by design and as seen.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct AlarmRate {
     /// At most so many by design, per run.
     pub designed: Real,
@@ -101,7 +104,7 @@ pub struct SoakTest {
     /// `uniform`, `discrete` or `conservative`: where the claim holds, they are uniform, uniform after they are spread over
     /// the steps of a discrete statistic, or never below uniform.
     pub null: String,
-    /// True if the test declares that law.
+    /// True if the test declares that law, and that it may reject in one stage alone if it does.
     pub declared: bool,
     /// Claims that it is put to: each name of evidence, such as `scatter_0_bin_3`, is checked alone.
     pub names: usize,

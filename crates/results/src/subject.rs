@@ -105,15 +105,32 @@ pub struct TestResult {
     /// The p-value is shown and spends no error: the verdict does not use it.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub reported: bool,
+    /// The p-value by which the test may reject in one stage alone, where that is another.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub p_alone: Option<Real>,
     /// The p-value after Holm over all tests of the stage.
     pub p_adjusted: Option<Real>,
-    /// Rejected at the stage's family-wise error.
+    /// The p-value after Holm over those tests of the stage that may reject alone; none of others.
+    #[serde(default)]
+    pub p_adjusted_alone: Option<Real>,
+    /// Rejected at the stage's family-wise error, where both stages must reject.
     pub rejected: bool,
+    /// Rejected at the stage's family-wise error, where one rejects alone.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub rejected_alone: bool,
     /// The reason code that a rejection gives.
     pub reason: Reason,
     /// The reason why there is no p-value, or the makings of the statistic.
     #[serde(skip_serializing_if = "String::is_empty", default)]
     pub note: String,
+}
+
+impl TestResult {
+    /// True if it rejects, if the other stage does or alone.
+    #[must_use]
+    pub fn rejects(&self) -> bool {
+        self.rejected || self.rejected_alone
+    }
 }
 
 /// One fact: no p-value, and one is enough.

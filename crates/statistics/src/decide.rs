@@ -1,24 +1,27 @@
 //! From evidence to verdicts, over the whole run at one family-wise error.
+//!
+//! Two roads lead to a failure by p-values: both stages reject, or one stage rejects alone, by far smaller p-values of tests that
+//! are true so deep. `docs/statistics.md` has the proof that a run of right subjects takes either with at most [`ALPHA`].
 
-use crate::evidence::Evidence;
 use crate::judged::Judged;
 use freepath_results::{Reason, Verdict};
 use stage::rejects_at;
 
+mod levels;
+mod road;
 mod stage;
 
-pub use stage::{STAGE_ALPHA, Stage, StageTest, adjust, adjust_among, adjust_some};
+pub use levels::{ALPHA, Levels, SUSPECT};
+pub use road::{Rejection, Road, rejections};
+pub use stage::{Stage, StageTest, adjust, adjust_among, adjust_some};
 
-/// The designed false-alarm rate of a run: a failure by p-values needs both stages.
-pub const ALPHA: f64 = STAGE_ALPHA * STAGE_ALPHA;
-
-/// True if stage 1 gives cause for stage 2: any raw p at or below the stage's error.
+/// True if stage 1 gives cause for stage 2: any raw p at or below [`SUSPECT`].
 #[must_use]
 pub fn suspect(judged: &Judged) -> bool {
-    suspect_at(judged, STAGE_ALPHA)
+    suspect_at(judged, SUSPECT)
 }
 
-/// [`suspect`] at another error of the stage.
+/// [`suspect`] at another p-value.
 #[must_use]
 pub fn suspect_at(judged: &Judged, level: f64) -> bool {
     judged.evidence.iter().any(|evidence| rejects_at(evidence.judged_p(), level))
@@ -35,51 +38,35 @@ pub struct Decision {
     pub notes: Vec<String>,
 }
 
-fn rejections(stage: &Stage, level: f64) -> Vec<(Reason, String)> {
-    stage.rejecting(level).map(|test| (test.evidence.reason, sentence(test))).collect()
-}
-
-/// The sentence on a test's rejection: of what, by how much, with which p-value.
-fn sentence(test: &StageTest) -> String {
-    let (evidence, adjusted) = (test.evidence, test.adjusted.unwrap_or(0.0));
-    let Evidence { name, statistic, note, .. } = evidence;
-    let what = if note.is_empty() {
-        format!("statistic {statistic:.4}")
-    } else {
-        format!("{note}; statistic {statistic:.4}")
-    };
-    let p = |p: f64| if p > 0.0 { format!("= {p:.2e}") } else { "< 1e-300".into() };
-    format!("{name} rejects with p {}, {} after Holm ({what})", p(evidence.p.unwrap_or(0.0)), p(adjusted))
-}
-
-/// Facts of either stage fail at once; a rejection fails if both stages make one; what is left open, or was put to no test
-/// at all, is inconclusive.
+/// Facts of either stage fail at once; so do p-values that both stages reject, or one stage alone; what is left open, or was put to no
+/// test at all, is inconclusive.
 #[must_use]
 pub fn decide(first: &Stage, second: Option<&Stage>) -> Decision {
-    decide_at(first, second, STAGE_ALPHA)
+    decide_at(first, second, Levels::RULE)
 }
 
-/// [`decide`] at another error of each stage.
+/// [`decide`] at other errors.
 #[must_use]
-pub fn decide_at(first: &Stage, second: Option<&Stage>, level: f64) -> Decision {
-    let (one, two) = (rejections(first, level), second.map(|stage| rejections(stage, level)).unwrap_or_default());
-    let facts = [Some(first), second].into_iter().flatten();
-    let mut found: Vec<(Reason, String)> =
-        facts.flat_map(|stage| &stage.judged.facts).map(|fact| (fact.reason, fact.words.clone())).collect();
-    if !one.is_empty() && !two.is_empty() {
-        found.extend(two);
-    } else if !one.is_empty() || !two.is_empty() {
-        let why = "only one of the two stages rejects: more draws would tell";
+pub fn decide_at(first: &Stage, second: Option<&Stage>, levels: Levels) -> Decision {
+    let facts = [Some(first), second].into_iter().flatten().flat_map(|stage| &stage.judged.facts);
+    let mut found: Vec<(Reason, String)> = facts.map(|fact| (fact.reason, fact.words.clone())).collect();
+    let rejected = rejections(first, second, levels);
+    if !rejected.is_empty() {
+        found.extend(rejected.iter().map(|rejection| (rejection.evidence().reason, rejection.words())));
+        return summary(Verdict::Fail, found);
+    }
+    let one_sided =
+        [Some(first), second].into_iter().flatten().any(|stage| stage.rejecting(levels).next().is_some());
+    if one_sided {
+        let why =
+            "only one of the two stages rejects, and not by so much that it would do alone: more draws would tell";
         return undecided(vec![(Reason::NotEnoughDraws, why.into())], found);
     }
-    if found.is_empty() {
-        let mut gates = first.judged.gates.clone();
-        if first.judged.evidence.iter().all(|evidence| evidence.judged_p().is_none()) {
-            gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
-        }
-        return undecided(gates, found);
+    let mut gates = first.judged.gates.clone();
+    if first.judged.evidence.iter().all(|evidence| evidence.judged_p().is_none()) {
+        gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
     }
-    summary(Verdict::Fail, found)
+    undecided(gates, found)
 }
 
 fn undecided(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
@@ -100,7 +87,7 @@ fn summary(verdict: Verdict, mut found: Vec<(Reason, String)>) -> Decision {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::Fact;
+    use crate::evidence::{Evidence, Fact};
 
     fn judged(p: &[f64]) -> Judged {
         let evidence = p.iter().map(|&p| Evidence::new("mean", 0.0, None, p, Reason::Biased)).collect();
@@ -112,13 +99,48 @@ mod tests {
         adjust([judged].into_iter()).remove(0)
     }
 
+    fn decision(one: &Judged, two: Option<&Judged>) -> Decision {
+        decide(&alone(one), two.map(alone).as_ref())
+    }
+
     fn verdict(one: &[f64], two: Option<&[f64]>) -> Verdict {
-        let (one, two) = (judged(one), two.map(judged));
-        decide(&alone(&one), two.as_ref().map(alone).as_ref()).verdict
+        decision(&judged(one), two.map(judged).as_ref()).verdict
+    }
+
+    /// p-values of tests that may reject alone.
+    fn eligible(p: &[f64]) -> Judged {
+        let evidence = p.iter().map(|&p| Evidence::new("atom", 0.0, None, p, Reason::WrongLaw).alone());
+        Judged { evidence: evidence.collect(), ..Judged::default() }
     }
 
     #[test]
-    fn a_failure_needs_both_stages() {
+    fn one_stage_fails_alone_by_a_test_that_is_true_so_deep() {
+        let (low, high) = (eligible(&[1e-12, 0.5]), eligible(&[0.2, 0.5]));
+        for (one, two, stage) in [(&low, &high, "stage 1"), (&high, &low, "stage 2")] {
+            let decision = decision(one, Some(two));
+            assert_eq!((decision.verdict, decision.reasons), (Verdict::Fail, vec![Reason::WrongLaw]));
+            let words = format!("atom rejects in {stage} alone with p = 1.00e-12, = 2.00e-12 after Holm");
+            assert!(decision.notes.len() == 1 && decision.notes[0].starts_with(&words), "{:?}", decision.notes);
+        }
+        assert_eq!(decision(&eligible(&[1e-6, 0.5]), Some(&high)).verdict, Verdict::Inconclusive);
+        let withheld = Judged { evidence: vec![Evidence::withheld("x", 0.0, Reason::Biased, "few")], ..high };
+        assert_eq!(decision(&low, Some(&withheld)).verdict, Verdict::Fail);
+    }
+
+    #[test]
+    fn no_other_test_fails_alone() {
+        assert_eq!(verdict(&[1e-12, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
+        assert_eq!(verdict(&[0.0, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
+    }
+
+    #[test]
+    fn nan_fails_alone() {
+        assert_eq!(decision(&eligible(&[f64::NAN]), Some(&eligible(&[0.5]))).verdict, Verdict::Fail);
+        assert_ne!(verdict(&[f64::NAN], Some(&[0.5])), Verdict::Pass);
+    }
+
+    #[test]
+    fn other_failures_need_both_stages() {
         assert_eq!(verdict(&[1e-9, 0.5], Some(&[1e-9, 0.5])), Verdict::Fail);
         assert_eq!(verdict(&[1e-9, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
         assert_eq!(verdict(&[7e-4, 0.5], Some(&[0.2, 0.5])), Verdict::Pass);

@@ -66,6 +66,19 @@ impl NullClass {
     }
 }
 
+/// The knowledge of a test's p-values near 1e-11, where they are read if one stage rejects alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alone {
+    /// The law of its statistic is computed as it is.
+    Exact,
+    /// Its p-value is never too small, by proof.
+    Proven,
+    /// A limit law, whose error was measured to that depth.
+    Measured,
+    /// It may not: nobody has looked so deep.
+    No,
+}
+
 /// The outcome of one test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
@@ -77,6 +90,8 @@ pub struct Evidence {
     pub dof: Option<f64>,
     /// Probability of a statistic as extreme under the claim; none if a gate keeps the test out of the verdict.
     pub p: Option<f64>,
+    /// The p-value by which it may reject in one stage alone; 1 if it was planned and could not be had, none if it never was planned.
+    pub p_alone: Option<f64>,
     /// The p-value is shown and spends no error: it is not in Holm, and rejects nothing.
     pub reported: bool,
     /// The distribution of p where the claim holds.
@@ -91,16 +106,25 @@ impl Evidence {
     /// Evidence with a p-value. A NaN p-value becomes 0: it rejects.
     #[must_use]
     pub fn new(name: impl Into<String>, statistic: f64, dof: Option<f64>, p: f64, reason: Reason) -> Self {
-        let p = if p >= 0.0 && p <= 1.0 { p } else { 0.0 };
-        let (null, note) = (Null::Uniform, String::new());
-        Self { name: name.into(), statistic, dof, p: Some(p), reported: false, null, reason, note }
+        let (p, null, note) = (sound(p), Null::Uniform, String::new());
+        Self { name: name.into(), statistic, dof, p: Some(p), p_alone: None, reported: false, null, reason, note }
     }
 
     /// A statistic that its gate keeps out of the verdict, and why.
     #[must_use]
     pub fn withheld(name: impl Into<String>, statistic: f64, reason: Reason, why: impl Into<String>) -> Self {
         let (null, note) = (Null::Uniform, why.into());
-        Self { name: name.into(), statistic, dof: None, p: None, reported: false, null, reason, note }
+        Self {
+            name: name.into(),
+            statistic,
+            dof: None,
+            p: None,
+            p_alone: None,
+            reported: false,
+            null,
+            reason,
+            note,
+        }
     }
 
     /// The same with its p-value shown only: a statistic that the verdict does not use.
@@ -115,10 +139,29 @@ impl Evidence {
         Self { null, ..self }
     }
 
+    /// The same, planned to reject in one stage alone, too: by its p-value, which is 1 where it is withheld.
+    #[must_use]
+    pub fn alone(self) -> Self {
+        let p_alone = Some(self.p.unwrap_or(1.0));
+        Self { p_alone, ..self }
+    }
+
+    /// The same, planned to reject in one stage alone by another p-value, NaN as 0; not if there is none.
+    #[must_use]
+    pub fn alone_by(self, p: Option<f64>) -> Self {
+        Self { p_alone: p.map(sound), ..self }
+    }
+
     /// The p-value that the verdict uses, if any.
     #[must_use]
     pub fn judged_p(&self) -> Option<f64> {
         self.p.filter(|_| !self.reported)
+    }
+
+    /// The p-value that Holm counts: its own, or 1 if it was planned and is withheld; none of what is reported only.
+    #[must_use]
+    pub fn planned_p(&self) -> Option<f64> {
+        (!self.reported).then(|| self.p.unwrap_or(1.0))
     }
 
     /// The same with a note.
@@ -126,6 +169,11 @@ impl Evidence {
     pub fn noted(self, note: impl Into<String>) -> Self {
         Self { note: note.into(), ..self }
     }
+}
+
+/// A p-value as it counts: what is none is 0.
+fn sound(p: f64) -> f64 {
+    if p >= 0.0 && p <= 1.0 { p } else { 0.0 }
 }
 
 /// A contradiction of a claim, for certain: no p-value, and one is enough.
@@ -180,6 +228,15 @@ mod tests {
     #[test]
     fn nan_is_rejected() {
         assert_eq!(holm(&[f64::NAN, 0.5]), vec![0.0, 0.5]);
-        assert_eq!(Evidence::new("x", 1.0, None, f64::NAN, Reason::Biased).p, Some(0.0));
+        let evidence = || Evidence::new("x", 1.0, None, f64::NAN, Reason::Biased);
+        assert_eq!((evidence().p, evidence().alone().p_alone), (Some(0.0), Some(0.0)));
+        assert_eq!(evidence().alone_by(Some(f64::NAN)).p_alone, Some(0.0));
+    }
+
+    #[test]
+    fn what_is_withheld_counts_as_one() {
+        let withheld = || Evidence::withheld("x", 1.0, Reason::Biased, "few draws");
+        assert_eq!((withheld().planned_p(), withheld().alone().p_alone), (Some(1.0), Some(1.0)));
+        assert_eq!((withheld().reported().planned_p(), withheld().p_alone), (None, None));
     }
 }

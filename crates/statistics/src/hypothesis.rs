@@ -42,7 +42,7 @@ pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
 pub use distance::{Among, Bracket, sup_distance};
 pub use exposure::{detectable_scale, exposure};
-pub use family::{declares, family};
+pub use family::{declares, family, may_reject_alone};
 pub use growth::growth;
 pub use kolmogorov::kolmogorov;
 pub use kuiper::kuiper;

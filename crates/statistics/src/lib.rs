@@ -16,7 +16,7 @@ pub mod special;
 pub mod tally;
 
 pub use block::{Block, CellIndex, Scratch};
-pub use evidence::{Evidence, Fact, Null, NullClass, POWER, REPORTING_LEVEL, holm};
+pub use evidence::{Alone, Evidence, Fact, Null, NullClass, POWER, REPORTING_LEVEL, holm};
 pub use judged::Judged;
 pub use larger::larger;
 pub use law::{Groups, Law};

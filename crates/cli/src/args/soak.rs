@@ -18,7 +18,7 @@ pub(crate) struct Soak {
     #[arg(long, value_name = "N", value_parser = number::draws)]
     pub(crate) draws: Option<u64>,
     /// The family-wise error of both stages; several decide the same draws.
-    #[arg(long, value_name = "P", default_values_t = [1e-3], value_parser = number::level)]
+    #[arg(long, value_name = "P", default_values_t = [7.07e-4], value_parser = number::level)]
     pub(crate) level: Vec<f64>,
     /// A small built-in selection of cases, with draws enough for every test.
     #[arg(long)]

@@ -45,7 +45,7 @@ const PREFACE: &str = "\
 Each row is a subject of the control cases: a fault with its parameters, laid over an estimator in a medium. `draws` are those of
 stage 1, the fewest among the doublings of 256 and the full effort of the case at which the verdict is the failure that is
 expected; a test then takes twice as many fresh draws in stage 2, a fact none. `seen first by` is what decided there: a fact that gives the
-reason or, of the tests that reject in both stages, that of the least p-value. A fault counts as caught if it would be
+reason or, of the tests that reject in both stages or in one alone, that of the least p-value. A fault counts as caught if it would be
 caught in a run of 10,000 p-values that holds no other fault, which is harder than in any run of the shipped cases.
 
 [faults.md](faults.md) tells where each fault was found.

@@ -2,7 +2,7 @@
 
 use crate::run::Trial;
 use freepath_results::{Real, Reason, Rung, Sighting};
-use freepath_statistics::decide::{Decision, Stage, StageTest, adjust_among, decide};
+use freepath_statistics::decide::{Decision, Levels, Rejection, Stage, adjust_among, decide, rejections};
 use freepath_statistics::{Evidence, Fact, Judged};
 
 /// The decision on one subject at one number of draws, and what made it.
@@ -50,7 +50,7 @@ fn least(judged: &Judged) -> Option<&Evidence> {
     made.min_by(|a, b| a.judged_p().unwrap_or(0.0).total_cmp(&b.judged_p().unwrap_or(0.0)))
 }
 
-/// Facts of either stage and, if stage 1 rejects, what stage 2 rejects: as the decision has it.
+/// Facts of either stage, and what is rejected by p-values: as the decision has it.
 fn fired(first: &Stage, second: Option<&Stage>) -> Vec<Sighting> {
     let facts = [Some(first), second].into_iter().flatten().flat_map(|stage| &stage.judged.facts);
     let mut all: Vec<Sighting> = Vec::new();
@@ -59,11 +59,9 @@ fn fired(first: &Stage, second: Option<&Stage>) -> Vec<Sighting> {
             all.push(fact);
         }
     }
-    if first.tests.iter().any(StageTest::rejects) {
-        let mut tests: Vec<_> = second.into_iter().flat_map(rejected).collect();
-        tests.sort_by(|a, b| a.p.map_or(0.0, f64::from).total_cmp(&b.p.map_or(0.0, f64::from)));
-        all.extend(tests);
-    }
+    let mut tests = rejections(first, second, Levels::RULE);
+    tests.sort_by(|a, b| a.p().total_cmp(&b.p()));
+    all.extend(tests.iter().map(rejected));
     all
 }
 
@@ -71,14 +69,9 @@ fn fact(fact: &Fact) -> Sighting {
     Sighting { name: fact.check.into(), fact: true, reason: fact.reason, p: None }
 }
 
-fn rejected(stage: &Stage) -> Vec<Sighting> {
-    let test = |StageTest { evidence, .. }: &StageTest| Sighting {
-        name: evidence.name.clone(),
-        fact: false,
-        reason: evidence.reason,
-        p: evidence.p.map(Real),
-    };
-    stage.tests.iter().filter(|test| test.rejects()).map(test).collect()
+fn rejected(rejection: &Rejection) -> Sighting {
+    let evidence = rejection.evidence();
+    Sighting { name: evidence.name.clone(), fact: false, reason: evidence.reason, p: Some(Real(rejection.p())) }
 }
 
 #[cfg(test)]
@@ -98,6 +91,16 @@ mod tests {
         assert!(fired(&low, Some(&high)).is_empty());
         assert!(fired(&high, Some(&low)).is_empty());
         assert!(fired(&low, None).is_empty());
+    }
+
+    #[test]
+    fn one_stage_fires_alone_where_it_may() {
+        let mut low = judged(&[1e-12]);
+        low.evidence[0].p_alone = Some(1e-12);
+        let high = judged(&[0.3]);
+        let (low, high) = (stage(&low, 10_000), stage(&high, 10_000));
+        assert_eq!(fired(&low, Some(&high)).len(), 1);
+        assert_eq!(fired(&high, Some(&low)).len(), 1);
     }
 
     #[test]

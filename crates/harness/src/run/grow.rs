@@ -1,9 +1,9 @@
 //! Draws double until the bias is bounded as the case asks, the subject is rejected, or the budget ends.
 //!
 //! The error of growth is part of the run's. What a sequence says against a bias of 0 becomes a p-value that holds at every
-//! number of draws, p = 1 / max e, and enters Holm's procedure of stage 1 beside all others. If it is at most the stage's
-//! error, stage 2 grows fresh draws, up to twice as many, and their p-value enters Holm's procedure of stage 2. So growth
-//! spends no error of its own: a failure needs both stages at 1e-3, and a run's false alarms stay at 1e-6. The other tests
+//! number of draws, p = 1 / max e, and enters Holm's procedure of stage 1 beside all others. If it is at most that of a
+//! suspect, stage 2 grows fresh draws, up to twice as many, and their p-value enters Holm's procedure of stage 2. So growth
+//! spends no error of its own: its p-values take the roads of all others, and a run's false alarms stay at 1e-6. The other tests
 //! are read once, at the case's draws. A finished file has no more draws: it is looked at once in each stage. A bound is stated at the reporting level; the level of a mean of known range is split
 //! between its bets and its interval.
 
@@ -20,7 +20,7 @@ use freepath_statistics::fold::Folds;
 use freepath_statistics::{Evidence, Fact};
 use std::ops::Range;
 
-/// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 100,000 others.
+/// Growth ends with a rejection at this p-value: Holm's procedure confirms it among up to 70,000 others.
 const REJECTED: f64 = 1e-8;
 
 /// The context of growth beside the subject.
@@ -139,9 +139,9 @@ fn outcome(
     }
 }
 
-/// The outcome after the decision: what both stages reject by the draws of growth is rejected, wherever they ended.
-pub(super) fn settled(grown: Grown, rejections: usize) -> Grown {
-    if rejections < 2 || grown.outcome == GrownOutcome::Rejected {
+/// The outcome after the decision: what the draws of growth reject in both stages, or in one alone, is rejected, wherever they ended.
+pub(super) fn settled(grown: Grown, rejected: bool) -> Grown {
+    if !rejected || grown.outcome == GrownOutcome::Rejected {
         return grown;
     }
     let note = format!("rejected after {} draws, and confirmed", grown.draws);

@@ -5,7 +5,7 @@ use crate::case::{KINDS, Prepared};
 use crate::origin::Origin;
 use freepath_results::{KindResult, Real, Results, SCHEMA_VERSION, SubjectResult, SubjectTiming, Verdict};
 use freepath_statistics::REPORTING_LEVEL;
-use freepath_statistics::decide::{ALPHA, STAGE_ALPHA, Stage, adjust, adjust_some};
+use freepath_statistics::decide::{ALPHA, Levels, Stage, StageTest, adjust, adjust_some};
 
 /// The results, and what depends on the clock.
 pub struct Outcome {
@@ -36,9 +36,11 @@ pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], options: &Options) -
         version: env!("CARGO_PKG_VERSION").into(),
         seed: options.seed,
         alpha: Real(ALPHA),
-        stage_alpha: Real(STAGE_ALPHA),
+        stage_alpha: Real(Levels::RULE.both),
+        alone_alpha: Some(Real(Levels::RULE.alone)),
         reporting_level: Real(REPORTING_LEVEL),
-        p_values: [count(first.iter()), count(second.iter().flatten())],
+        p_values: [count(first.iter(), counted), count(second.iter().flatten(), counted)],
+        p_values_alone: [count(first.iter(), counted_alone), count(second.iter().flatten(), counted_alone)],
         repro: options.repro.clone(),
         kinds: kinds(&results),
         media: cases.iter().map(medium_result).collect(),
@@ -48,9 +50,19 @@ pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], options: &Options) -
     Outcome { results, timings }
 }
 
-/// The number of p-values that the verdicts of a stage use.
-fn count<'a>(stages: impl Iterator<Item = &'a Stage<'a>>) -> usize {
-    stages.flat_map(|stage| &stage.tests).filter(|test| test.adjusted.is_some()).count()
+/// The number of tests of a stage that are `of` a family.
+fn count<'a>(stages: impl Iterator<Item = &'a Stage<'a>>, of: fn(&StageTest) -> bool) -> usize {
+    stages.flat_map(|stage| &stage.tests).filter(|test| of(test)).count()
+}
+
+/// True if Holm counts a test.
+fn counted(test: &StageTest) -> bool {
+    test.evidence.planned_p().is_some()
+}
+
+/// True if the Holm of one stage alone counts a test.
+fn counted_alone(test: &StageTest) -> bool {
+    test.evidence.p_alone.is_some()
 }
 
 /// The kinds that the results hold, in the order of the list of kinds.

@@ -79,9 +79,10 @@ fn expectation(trial: &Trial, decision: &Decision) -> Expected {
 
 /// The outcome of growth, after the decision.
 fn grown(trial: &Trial, stages: Stages) -> Option<Grown> {
-    let rejections = stages.numbered().flat_map(tests);
-    let rejections = rejections.filter(|test| test.name == "growth" && test.rejected).count();
-    trial.first.grown.clone().map(|grown| settled(grown, rejections))
+    let of_growth = stages.numbered().flat_map(tests).filter(|test| test.name == "growth");
+    let (both, alone) = of_growth
+        .fold((0, false), |(both, alone), test| (both + usize::from(test.rejected), alone || test.rejected_alone));
+    trial.first.grown.clone().map(|grown| settled(grown, both > 1 || alone))
 }
 
 /// With where the law breaks, if the subject fails.
@@ -124,15 +125,18 @@ fn repro(case: &Prepared, id: &str, options: &Options) -> String {
 }
 
 fn tests((stage, of): (u8, &Stage<'_>)) -> Vec<TestResult> {
-    let one = |test @ &StageTest { evidence, adjusted }: &StageTest| TestResult {
+    let one = |test @ &StageTest { evidence, adjusted, adjusted_alone }: &StageTest| TestResult {
         name: evidence.name.clone(),
         stage,
         statistic: Real(evidence.statistic),
         dof: evidence.dof.map(Real),
         p: evidence.p.map(Real),
         reported: evidence.reported,
+        p_alone: evidence.p_alone.filter(|_| evidence.p_alone != evidence.p).map(Real),
         p_adjusted: adjusted.map(Real),
+        p_adjusted_alone: adjusted_alone.map(Real),
         rejected: test.rejects(),
+        rejected_alone: test.rejects_alone(),
         reason: evidence.reason,
         note: evidence.note.clone(),
     };

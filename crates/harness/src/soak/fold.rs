@@ -8,10 +8,11 @@ use super::uniformity::Row;
 use freepath_results::{
     AlarmRate, LevelResult, QuantileSeries, Real, SOAK_VERSION, SoakAlarm, SoakFact, SoakResults, SoakTest,
 };
-use freepath_statistics::hypothesis::{declares, family};
+use freepath_statistics::decide::Levels;
+use freepath_statistics::hypothesis::{declares, family, may_reject_alone};
 use freepath_statistics::special::{binomial_sf, clopper_pearson};
 use freepath_statistics::{NullClass, holm};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The family-wise error of all checks of a soak.
 const FAMILY_LEVEL: f64 = 1e-3;
@@ -23,7 +24,8 @@ const MOST_LISTED: usize = 20;
 struct Alarms {
     stage_1: u64,
     both: u64,
-    confirmed: u64,
+    alone: u64,
+    failed: u64,
     listed: Vec<SoakAlarm>,
 }
 
@@ -38,6 +40,8 @@ struct Facts {
 pub(super) struct Fold {
     /// By name of evidence and law.
     rows: BTreeMap<(String, NullClass), Row>,
+    /// Tests of evidence that may reject in one stage alone.
+    alone: BTreeSet<String>,
     pooled: PValues,
     levels: Vec<Alarms>,
     facts: Facts,
@@ -47,7 +51,14 @@ pub(super) struct Fold {
 impl Fold {
     pub(super) fn new(levels: usize) -> Self {
         let levels = (0..levels).map(|_| Alarms::default()).collect();
-        Self { rows: BTreeMap::new(), pooled: PValues::new(), levels, facts: Facts::default(), runs: 0 }
+        Self {
+            rows: BTreeMap::new(),
+            alone: BTreeSet::new(),
+            pooled: PValues::new(),
+            levels,
+            facts: Facts::default(),
+            runs: 0,
+        }
     }
 
     /// Takes in the next run.
@@ -56,6 +67,9 @@ impl Fold {
         self.runs += 1;
         for sample in record.samples {
             let discrete = sample.spread.is_some();
+            if sample.alone && !self.alone.contains(family(&sample.name)) {
+                self.alone.insert(family(&sample.name).into());
+            }
             let row = self.rows.entry((sample.name, sample.null)).or_insert_with(|| Row::new(discrete));
             row.p.observe(sample.p);
             if let (Some(all), Some(p)) = (&mut row.spread, sample.spread) {
@@ -66,7 +80,8 @@ impl Fold {
         for (alarms, alarm) in self.levels.iter_mut().zip(record.alarms) {
             alarms.stage_1 += u64::from(alarm.first.is_some());
             alarms.both += u64::from(alarm.first.is_some() && alarm.second);
-            alarms.confirmed += u64::from(alarm.confirmed);
+            alarms.alone += u64::from(alarm.alone);
+            alarms.failed += u64::from(alarm.failed);
             let listed = alarm.first.map(|Rejection { subject, test }| SoakAlarm {
                 seed,
                 subject: trials[subject].id.clone(),
@@ -83,27 +98,27 @@ impl Fold {
 
     /// Every check of the soak in one family.
     pub(super) fn results(self, trials: &[Trial], options: &Options) -> SoakResults {
-        let designed = options.levels.iter().flat_map(|&level| [level, level * level, level * level]);
-        let counts = self.levels.iter().flat_map(|alarms| [alarms.stage_1, alarms.both, alarms.confirmed]);
+        let designed = options.levels.iter().flat_map(|&level| designed(level));
+        let counts = self.levels.iter().flat_map(Alarms::counts);
         let mut checks: Vec<f64> = designed.zip(counts).map(|(p, k)| binomial_sf(self.runs, p, k)).collect();
         let of_rows =
             |((_, null), row): (&(String, NullClass), &Row)| row.hypotheses(*null == NullClass::Conservative);
         let of_rows: Vec<Vec<f64>> = self.rows.iter().map(of_rows).collect();
         checks.extend(of_rows.iter().flatten());
         let adjusted = holm(&checks);
-        let (of_levels, mut rest) = adjusted.split_at(3 * self.levels.len());
+        let (of_levels, mut rest) = adjusted.split_at(ALARMS * self.levels.len());
         let mut least = Vec::new();
         for checks in &of_rows {
             let (own, after) = rest.split_at(checks.len());
             least.push(own.iter().fold(1.0, |a, &p| if p < a { p } else { a }));
             rest = after;
         }
-        let tests = families(&self.rows, &least);
-        let levels: Vec<_> = options.levels.iter().zip(self.levels).zip(of_levels.chunks(3)).collect();
+        let tests = families(&self.rows, &self.alone, &least);
+        let levels: Vec<_> = options.levels.iter().zip(self.levels).zip(of_levels.chunks(ALARMS)).collect();
         let levels: Vec<LevelResult> =
             levels.into_iter().map(|((&level, alarms), p)| alarms.result(level, self.runs, p)).collect();
         let kept = |rate: &AlarmRate| rate.p_adjusted.0 > FAMILY_LEVEL;
-        let quiet = levels.iter().all(|of| [of.stage_1, of.both, of.confirmed].iter().all(kept));
+        let quiet = levels.iter().all(|of| [of.stage_1, of.both, of.alone, of.confirmed].iter().all(kept));
         SoakResults {
             schema_version: SOAK_VERSION,
             version: env!("CARGO_PKG_VERSION").into(),
@@ -126,7 +141,21 @@ impl Fold {
     }
 }
 
+/// Kinds of alarms that are counted at each level.
+const ALARMS: usize = 4;
+
+/// How often each kind may come: stage 1 rejects, both do, one does alone, a subject fails.
+fn designed(level: f64) -> [f64; ALARMS] {
+    let levels = Levels::at(level);
+    [level, level * level, 2.0 * levels.alone, levels.designed()]
+}
+
 impl Alarms {
+    /// In the order of [`designed`].
+    fn counts(&self) -> [u64; ALARMS] {
+        [self.stage_1, self.both, self.alone, self.failed]
+    }
+
     fn result(self, level: f64, runs: u64, p: &[f64]) -> LevelResult {
         let rate = |designed: f64, count: u64, p: f64| {
             let (low, high) = clopper_pearson(runs, count, 0.01);
@@ -134,18 +163,20 @@ impl Alarms {
             let (designed, p_adjusted) = (Real(designed), Real(p));
             AlarmRate { designed, count, observed, low: Real(low), high: Real(high), p_adjusted }
         };
+        let [stage_1, both, alone, failed] = designed(level);
         LevelResult {
             level: Real(level),
-            stage_1: rate(level, self.stage_1, p[0]),
-            both: rate(level * level, self.both, p[1]),
-            confirmed: rate(level * level, self.confirmed, p[2]),
+            stage_1: rate(stage_1, self.stage_1, p[0]),
+            both: rate(both, self.both, p[1]),
+            alone: rate(alone, self.alone, p[2]),
+            confirmed: rate(failed, self.failed, p[3]),
             alarms: self.listed,
         }
     }
 }
 
 /// The rows of each test and law together; each was checked alone.
-fn families(rows: &BTreeMap<(String, NullClass), Row>, least: &[f64]) -> Vec<SoakTest> {
+fn families(rows: &BTreeMap<(String, NullClass), Row>, alone: &BTreeSet<String>, least: &[f64]) -> Vec<SoakTest> {
     let mut of: BTreeMap<(&str, NullClass), (Row, usize, f64)> = BTreeMap::new();
     for (((name, null), row), &p) in rows.iter().zip(least) {
         let start = || (Row::new(row.spread.is_some()), 0, 1.0);
@@ -160,7 +191,7 @@ fn families(rows: &BTreeMap<(String, NullClass), Row>, least: &[f64]) -> Vec<Soa
         SoakTest {
             test: test.into(),
             null: null.name().into(),
-            declared: declares(test, null),
+            declared: declares(test, null) && (may_reject_alone(test) || !alone.contains(test)),
             names,
             p_values: row.p.count,
             shares: row.p.below().map(share).to_vec(),

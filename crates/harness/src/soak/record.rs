@@ -7,7 +7,7 @@ use crate::run::{Cancelled, Progress};
 use freepath_draws::Key;
 use freepath_draws::random::uniform;
 use freepath_results::Verdict;
-use freepath_statistics::decide::{Stage, adjust, adjust_some, decide_at, suspect_at};
+use freepath_statistics::decide::{Levels, Stage, adjust, adjust_some, decide_at, suspect_at};
 use freepath_statistics::{Evidence, Judged, Null, NullClass};
 use rand::Rng;
 
@@ -16,6 +16,8 @@ pub(super) struct Sample {
     pub(super) name: String,
     pub(super) null: NullClass,
     pub(super) p: f64,
+    /// It may reject in one stage alone.
+    pub(super) alone: bool,
     /// Spread over the steps of a discrete statistic.
     pub(super) spread: Option<f64>,
 }
@@ -34,14 +36,16 @@ pub(super) struct CertainFact {
     pub(super) words: String,
 }
 
-/// The alarm that one level of both stages gives in a run.
+/// The alarm that the rule at one level gives in a run.
 pub(super) struct Alarm {
     /// The first rejection of stage 1.
     pub(super) first: Option<Rejection>,
     /// Stage 2 rejects something.
     pub(super) second: bool,
-    /// Both stages reject the same subject: it would fail.
-    pub(super) confirmed: bool,
+    /// One stage rejects something alone.
+    pub(super) alone: bool,
+    /// A subject would fail: both stages reject it, or one alone.
+    pub(super) failed: bool,
 }
 
 /// One run.
@@ -98,7 +102,13 @@ fn samples(trials: &[Trial], first: &[Judged], seed: u64) -> Vec<Sample> {
         let mut rng = Key { seed, subject: trial.subject.key ^ OF_STEPS, block: 0 }.rng();
         let sample = |e: &Evidence| {
             let (null, u) = (e.null.class(), uniform(&mut rng));
-            Some(Sample { name: e.name.clone(), null, p: e.p?, spread: spread(e.null, u) })
+            Some(Sample {
+                name: e.name.clone(),
+                null,
+                p: e.p?,
+                alone: e.p_alone.is_some(),
+                spread: spread(e.null, u),
+            })
         };
         judged.evidence.iter().filter_map(sample).collect::<Vec<_>>()
     };
@@ -115,11 +125,12 @@ fn spread(null: Null, u: f64) -> Option<f64> {
 fn alarm(first: &[Stage], second: &[Option<Judged>], level: f64) -> Alarm {
     let suspects = first.iter().map(|stage| suspect_at(stage.judged, level));
     let of_level: Vec<_> = suspects.zip(second).map(|(suspect, two)| two.as_ref().filter(|_| suspect)).collect();
-    let second = adjust_some(of_level.iter().copied());
-    let rejected = |stage: &Stage| stage.rejected_at(level).next().map(str::to_string);
+    let (second, levels) = (adjust_some(of_level.iter().copied()), Levels::at(level));
+    let rejected = |stage: &Stage| stage.rejected_at(levels).next().map(str::to_string);
+    let stages = || first.iter().chain(second.iter().flatten());
     let fails = |(one, two): (&Stage, &Option<Stage>)| {
         let by_facts = [Some(one), two.as_ref()].into_iter().flatten().any(|stage| !stage.judged.facts.is_empty());
-        !by_facts && decide_at(one, two.as_ref(), level).verdict == Verdict::Fail
+        !by_facts && decide_at(one, two.as_ref(), levels).verdict == Verdict::Fail
     };
     Alarm {
         first: first
@@ -127,7 +138,8 @@ fn alarm(first: &[Stage], second: &[Option<Judged>], level: f64) -> Alarm {
             .enumerate()
             .find_map(|(subject, stage)| Some(Rejection { subject, test: rejected(stage)? })),
         second: second.iter().flatten().any(|stage| rejected(stage).is_some()),
-        confirmed: first.iter().zip(&second).any(fails),
+        alone: stages().any(|stage| stage.rejected_alone_at(levels).next().is_some()),
+        failed: first.iter().zip(&second).any(fails),
     }
 }
 
@@ -153,7 +165,19 @@ mod tests {
 
     fn outcome(first: &[Judged], second: &[Option<Judged>], level: f64) -> (bool, bool, bool) {
         let alarm = alarm(&adjust(first.iter()), second, level);
-        (alarm.first.is_some(), alarm.second, alarm.confirmed)
+        (alarm.first.is_some(), alarm.second, alarm.failed)
+    }
+
+    #[test]
+    fn one_stage_alone_fails_where_it_may() {
+        let mut low = judged(&[1e-9]);
+        let of = |low: &Judged| {
+            let alarm = alarm(&adjust([low].into_iter()), &[Some(judged(&[0.5]))], 0.05);
+            (alarm.alone, alarm.failed)
+        };
+        assert_eq!(of(&low), (false, false));
+        low.evidence[0].p_alone = Some(1e-9);
+        assert_eq!(of(&low), (true, true));
     }
 
     #[test]

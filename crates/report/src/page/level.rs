@@ -6,7 +6,7 @@ use crate::number::{count, short};
 use crate::shown::Shown;
 use crate::site::Site;
 use crate::text::{clean, words};
-use freepath_results::{AlarmRate, LevelResult, Real, SoakFact, SoakResults, SoakTest};
+use freepath_results::{AlarmRate, LevelResult, Real, Results, SoakFact, SoakResults, SoakTest};
 
 /// Most rows of a table, if all hold.
 const MOST: usize = 200;
@@ -47,13 +47,18 @@ pub(crate) struct TestRow {
     pub(crate) broken: Option<&'static str>,
 }
 
+/// To which errors the stages of a run are held.
+pub(crate) fn held(results: &Results) -> String {
+    let both = format!("to {} each if both must reject", short(results.stage_alpha.0));
+    results.alone_alpha.map_or(both.clone(), |alone| format!("{both}, to {} if one rejects alone", short(alone.0)))
+}
+
 impl LevelView {
     pub(crate) fn new(site: &Site, figures: &Figures) -> Self {
         let lead = format!(
-            "By design at most one run in {} calls a right subject wrong: each of the two stages rejects one at most at a rate of {}, \
-             and both must.",
+            "By design at most one run in {} calls a right subject wrong: the two stages are held {}.",
             count(libm::round(1.0 / site.results.alpha.0) as u64),
-            short(site.results.stage_alpha.0)
+            held(site.results)
         );
         let soak = site.side_files.soak.as_ref().map(SoakView::new);
         Self { lead, figures: FigureView::all(&figures.level), soak }
@@ -88,7 +93,7 @@ impl SoakView {
     }
 }
 
-fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 3] {
+fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 4] {
     let row = |name, rate: &AlarmRate| AlarmRow {
         name,
         cells: vec![
@@ -105,7 +110,8 @@ fn alarms(of: &LevelResult, level: f64) -> [AlarmRow; 3] {
     [
         row("stage 1 rejects something", &of.stage_1),
         row("both stages reject something", &of.both),
-        row("both reject the same subject, which fails", &of.confirmed),
+        row("one stage rejects something alone", &of.alone),
+        row("a subject fails", &of.confirmed),
     ]
 }
 

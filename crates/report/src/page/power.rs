@@ -84,8 +84,8 @@ fn lead(power: &PowerResults) -> String {
     let most = most.and_then(|all| all.into_iter().max());
     let most = most.map_or(String::new(), |most| format!(" No fault needs more than {} draws.", count(most)));
     format!(
-        "{} of {} rows are as they must be.{most} A fault counts as caught if it would be caught in a run of {} p-values, each stage \
-         held to {}.",
+        "{} of {} rows are as they must be.{most} A fault counts as caught if it would be caught in a run of {} p-values, by both stages \
+         at {} or by one alone.",
         count(expected as u64),
         count(power.rows.len() as u64),
         count(power.family as u64),

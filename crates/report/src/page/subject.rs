@@ -107,7 +107,7 @@ fn reason(reason: &Reason) -> ReasonView {
 /// Notes that the tables of tests and facts do not hold.
 fn notes(result: &SubjectResult) -> Vec<String> {
     let facts = || result.facts.iter().take(MOST);
-    let rejected: Vec<_> = tests(result).into_iter().filter(|test| test.rejected).collect();
+    let rejected: Vec<_> = tests(result).into_iter().filter(|test| test.rejects()).collect();
     let of_test = |note: &str| {
         rejected.iter().any(|t| note.strip_prefix(&t.name).is_some_and(|of| of.starts_with(" rejects ")))
     };
@@ -117,11 +117,11 @@ fn notes(result: &SubjectResult) -> Vec<String> {
 
 /// The tests that are shown: those that reject before all others.
 fn tests(result: &SubjectResult) -> Vec<&TestResult> {
-    at_most(&result.tests, MOST, |test| test.rejected).into_iter().map(|i| &result.tests[i]).collect()
+    at_most(&result.tests, MOST, TestResult::rejects).into_iter().map(|i| &result.tests[i]).collect()
 }
 
 fn left_out(result: &SubjectResult) -> String {
-    let rejected = |tests: &mut dyn Iterator<Item = &TestResult>| tests.filter(|test| test.rejected).count();
+    let rejected = |tests: &mut dyn Iterator<Item = &TestResult>| tests.filter(|test| test.rejects()).count();
     let unseen = rejected(&mut result.tests.iter()) - rejected(&mut tests(result).into_iter());
     let lengths = [
         ("claims", result.claims.len()),
@@ -199,7 +199,8 @@ fn test(test: &TestResult) -> TestRow {
     let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
     let chance = |p| shown(p, probability);
     let (class, decision) = match test {
-        TestResult { rejected: true, .. } => ("rejected", "rejected"),
+        TestResult { rejected_alone: true, .. } => ("rejected", "rejected, in one stage alone"),
+        TestResult { rejected: true, .. } => ("rejected", "rejected, if both stages do"),
         TestResult { reported: true, .. } => ("reported", "shown, not judged"),
         TestResult { p: None, .. } => ("reported", "not judged"),
         _ => ("", "not rejected"),

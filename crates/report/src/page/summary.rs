@@ -110,7 +110,7 @@ fn facts(site: &Site, run: &str) -> Vec<(&'static str, String, String)> {
         (
             "p-values",
             format!("{first} + {second}"),
-            format!("in two stages, each held to {} by Holm", short(results.stage_alpha.0)),
+            format!("planned in two stages, by Holm {}", crate::page::level::held(results)),
         ),
         ("Seed", results.seed.to_string(), "the same seed gives the same bits".into()),
         ("Version", clean(&results.version, 60), format!("run {}", clean(run, 40))),

@@ -88,7 +88,7 @@ pub(crate) fn evidence(result: &SubjectResult) -> String {
     if let Some(fact) = result.facts.first() {
         return format!("{}: {}", clean(&words(&fact.check), 60), clean(&fact.words, 120));
     }
-    match result.tests.iter().filter(|t| t.rejected).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
+    match result.tests.iter().filter(|t| t.rejects()).min_by(|a, b| key(a.p).total_cmp(&key(b.p))) {
         Some(test) => {
             format!(
                 "{}: p {}",

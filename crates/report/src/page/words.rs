@@ -3,7 +3,9 @@
 use crate::number::{count, short};
 use crate::site::Subject;
 use crate::text::clean;
-use freepath_results::{Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, Verdict};
+use freepath_results::{
+    Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, TestResult, Verdict,
+};
 
 /// The letter of a verdict in the matrix.
 pub(crate) fn letter(verdict: Verdict) -> &'static str {
@@ -28,7 +30,7 @@ pub(crate) fn verdict(result: &SubjectResult) -> String {
     let draws = count(result.draws.saturating_add(result.draws_stage2));
     let (verdict, found) = match result.verdict {
         Verdict::Pass => ("Passes", format!("none of its claims was rejected in {draws} draws")),
-        Verdict::Fail => ("Fails", format!("a claim is contradicted in {draws} draws")),
+        Verdict::Fail => ("Fails", format!("a claim is {} in {draws} draws", contradicted(result))),
         Verdict::Inconclusive => ("Inconclusive", format!("something could not be judged in {draws} draws")),
     };
     let fit = match result.verdict {
@@ -38,6 +40,20 @@ pub(crate) fn verdict(result: &SubjectResult) -> String {
         Verdict::Inconclusive | Verdict::Fail => ", as expected",
     };
     format!("{verdict}{fit}: {found}.")
+}
+
+/// The road by which a subject fails.
+fn contradicted(result: &SubjectResult) -> &'static str {
+    let any = |stage, rejects: fn(&TestResult) -> bool| {
+        result.tests.iter().any(|test| test.stage == stage && rejects(test))
+    };
+    let both = any(1, |test| test.rejected) && any(2, |test| test.rejected);
+    match (both, any(1, |test| test.rejected_alone), any(2, |test| test.rejected_alone)) {
+        (true, ..) => "contradicted by both stages",
+        (false, true, _) => "contradicted by stage 1 alone",
+        (false, false, true) => "contradicted by stage 2 alone",
+        (false, false, false) => "contradicted",
+    }
 }
 
 /// Sentences on a mean: its bias, the bound on it, and the bias that would have been seen.

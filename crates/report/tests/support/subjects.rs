@@ -107,9 +107,12 @@ pub(crate) fn test(name: &str, statistic: f64, dof: Option<f64>, p: f64, reason:
         statistic: statistic.into(),
         dof: dof.map(Into::into),
         p: Some(p.into()),
+        p_alone: None,
         p_adjusted: Some(adjusted.into()),
+        p_adjusted_alone: None,
         reported: false,
         rejected: !(adjusted > 1e-3),
+        rejected_alone: false,
         reason,
         note: String::new(),
     }

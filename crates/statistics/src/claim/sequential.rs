@@ -47,6 +47,8 @@ pub struct InterimLook {
     pub p: f64,
     /// The method that made them.
     pub method: &'static str,
+    /// True if p is never too small, by proof.
+    pub proven: bool,
     /// The reason why there is no bound.
     pub withheld: Option<(Reason, String)>,
 }
@@ -105,6 +107,6 @@ impl SequentialTest<'_> {
     #[must_use]
     pub fn evidence(&self, look: &InterimLook, draws: u64) -> Evidence {
         let note = format!("{} after {draws} draws by {}", self.what, look.method);
-        growth(self.with_slack(look.bound), look.p, self.reason).noted(note)
+        growth(self.with_slack(look.bound), look.p, look.proven, self.reason).noted(note)
     }
 }

@@ -3,10 +3,13 @@
 use super::chi_square::lessened;
 use super::mean::{corrected_p, gate};
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::{chi_square_sf, hypergeometric_two_sided, normal_two_sided};
 use crate::tally::{CellTally, PowerSums};
+use bernstein::{bernstein_p, p_alone};
 use freepath_results::Reason;
+
+mod bernstein;
 
 /// The records of the test in its four other settings.
 pub(super) const TESTS: [Test; 4] = [
@@ -32,9 +35,17 @@ law:    X = sum (a_i / a - b_i / b)^2 a b / (a_i + b_i) over cells of collided d
 ```
 Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
          where the range is known; else no p-value. Cells hold 128 draws of both together.
+Alone:   by the escapes, by 0/1 draws, and by empirical Bernstein where a range is claimed.
 Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
 Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
-    Test { name, words, details, nulls: &[NullClass::Uniform, NullClass::Conservative], section: name }
+    Test {
+        name,
+        words,
+        details,
+        nulls: &[NullClass::Uniform, NullClass::Conservative],
+        alone: Alone::Proven,
+        section: name,
+    }
 }
 
 /// The range of the draws of both samples, as far as it is known, and their slack.
@@ -60,6 +71,7 @@ pub fn agree_atom(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reaso
     let p = counts_p([a.escapes, b.escapes], [a.draws(), b.draws()], slack);
     Evidence::new(name, shares[0] - shares[1], None, p, reason)
         .under(Null::Conservative)
+        .alone()
         .noted(format!("{:.6} of the draws escape, and {:.6} in the other setting", shares[0], shares[1]))
 }
 
@@ -89,7 +101,7 @@ pub fn agree_law(name: &str, [a, b]: [&CellTally; 2], slack: f64, reason: Reason
     let least = if of_cells < of_atom || of_cells.is_nan() { of_cells } else { of_atom };
     let p = if 2.0 * least > 1.0 { 1.0 } else { 2.0 * least };
     let note = format!("{}; p {of_atom:.2e} by escapes, {of_cells:.2e} by cells", atom.note);
-    Evidence::new(name, statistic, Some(dof), p, reason).under(Null::Conservative).noted(note)
+    Evidence::new(name, statistic, Some(dof), p, reason).under(Null::Conservative).alone_by(atom.p).noted(note)
 }
 
 /// Neighbouring fine cells taken together until both samples have enough between them; a rest joins the last.
@@ -130,9 +142,14 @@ pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evide
     let [va, vb] = [a, b].map(|sums| sums.variance() / sums.n as f64);
     let (apart, error) = (lessened(means[0] - means[1], sample.slack + 1e-12 * means[0].abs()), (va + vb).sqrt());
     let note = format!("mean {:.6e}, and {:.6e} in the other setting", means[0], means[1]);
-    let evidence = |statistic, p| Evidence::new(name, statistic, None, p, Reason::Biased).noted(note.clone());
+    let p_alone = p_alone([a, b], sample, apart);
+    let evidence = |statistic, p| {
+        Evidence::new(name, statistic, None, p, Reason::Biased).alone_by(p_alone).noted(note.clone())
+    };
     if sample.binary && [a, b].iter().all(|sums| sums.zeros + sums.ones == sums.n && sums.n > 0) {
-        return evidence(apart, counts_p([a.ones, b.ones], [a.n, b.n], sample.slack)).under(Null::Conservative);
+        return evidence(apart, counts_p([a.ones, b.ones], [a.n, b.n], sample.slack))
+            .under(Null::Conservative)
+            .alone();
     }
     if a.constant() && b.constant() && telling(a) && telling(b) {
         return evidence(apart, f64::from(u8::from(apart.abs() <= 0.0))).under(Null::Conservative);
@@ -146,7 +163,8 @@ pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evide
         Some(range) if [a, b].iter().all(|sums| sums.least >= range.0 && sums.greatest <= range.1) => {
             evidence(apart, bernstein_p([a, b], range, apart)).under(Null::Conservative)
         }
-        _ => Evidence::withheld(name, t, Reason::Biased, "the draws are too skew, and no range is known"),
+        _ => Evidence::withheld(name, t, Reason::Biased, "the draws are too skew, and no range is known")
+            .alone_by(p_alone),
     }
 }
 
@@ -163,22 +181,6 @@ fn skewness([a, b]: [&PowerSums; 2]) -> f64 {
     };
     let v = a.variance() / a.n as f64 + b.variance() / b.n as f64;
     (third(a) - third(b)) / (v * v.sqrt())
-}
-
-/// The level at which both empirical Bernstein intervals just meet, half of it for each (Maurer and Pontil 2009).
-fn bernstein_p(samples: [&PowerSums; 2], (low, high): (f64, f64), apart: f64) -> f64 {
-    if apart == 0.0 {
-        return 1.0;
-    }
-    let of = |sums: &PowerSums| {
-        let n = sums.n as f64;
-        (7.0 * (high - low) / (3.0 * (n - 1.0)), (2.0 * sums.variance() / n).sqrt())
-    };
-    let [(a, b), (c, d)] = samples.map(of);
-    let (linear, root) = (a + c, b + d);
-    let l = 2.0 * apart.abs() / (root + (root * root + 4.0 * linear * apart.abs()).sqrt());
-    let p = 8.0 * libm::exp(-l * l);
-    if p > 1.0 { 1.0 } else { p }
 }
 
 #[cfg(test)]

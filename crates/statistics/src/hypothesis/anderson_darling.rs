@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::Law;
 use crate::special::anderson_darling_sf;
 use crate::tally::CellTally;
@@ -19,6 +19,7 @@ Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 
 Rejects: nothing; shown beside the others. Weighs both ends of the ray.
 Source:  Anderson and Darling (1952); p over its full range by Smirnov (1937).",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "anderson_darling",
 };
 
@@ -38,7 +39,7 @@ Source:  Anderson and Darling (1952); p over its full range by Smirnov (1937).",
 pub fn anderson_darling(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if let Some(why) = grouped::gate(law, m) {
-        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why).reported();
     }
     let weight = |u: f64, rest: f64| 1.0 / (u * rest);
     let cells = grouped::cells(law, tally, m).filter(|cell| !(cell.share <= 0.0));

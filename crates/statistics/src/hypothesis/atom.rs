@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::{binomial_cdf, binomial_two_sided};
 use freepath_results::Reason;
 
@@ -17,6 +17,7 @@ Rejects: as wrong_law; as biased against the truth of a method that is biased by
 Sees:    a wrong optical depth. Blind to where collisions lie.
 Source:  Clopper and Pearson (1934); tails by Loader (2000).",
     nulls: &[NullClass::Discrete],
+    alone: Alone::Exact,
     section: "atom",
 };
 
@@ -32,6 +33,7 @@ pub fn atom(n: u64, escapes: u64, atom: f64, slack: f64, reason: Reason) -> Evid
     let z = standardised(share - atom, (atom * (1.0 - atom) / n as f64).sqrt());
     Evidence::new(TEST.name, z, None, binomial_two_sided(n, null, escapes), reason)
         .under(binomial_null(n, atom, escapes))
+        .alone()
         .noted(format!("{share:.6} of the draws escape, {atom:.6} should"))
 }
 

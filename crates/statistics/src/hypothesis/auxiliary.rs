@@ -1,6 +1,6 @@
 use super::chi_square::least_expected;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::AuxiliaryTally;
 use freepath_results::Reason;
@@ -17,6 +17,7 @@ X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 rows,   R_a draws in group 
 Gate:    groups of the distance are joined until each cell expects 50 draws, or more if there are few.
 Rejects: as dependent: a direction and a flight from one random number, each right by itself.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "auxiliary",
 };
 

@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::larger::larger;
 use crate::law::Law;
 use crate::special::{berk_jones_sf, likelihood_ratio};
@@ -22,6 +22,7 @@ Rejects: as wrong_law; as biased against the truth of a method that is biased by
 Sees:    what happens at the very ends: a ray that starts late or ends early, escapes that are reported as collisions.
 Source:  Berk and Jones (1979).",
     nulls: &[NullClass::Conservative],
+    alone: Alone::Proven,
     section: "berk_jones",
 };
 
@@ -89,7 +90,7 @@ pub fn berk_jones(
     let m = cells.collided();
     if m < FEWEST {
         let why = format!("needs {FEWEST} collisions, has {m}");
-        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why).alone();
     }
     let open = (2.0 * law.slack() + libm::ldexp(1.0, 1 - bits as i32)) / law.collided();
     let mut statistic = BerkJones::new(m);
@@ -100,7 +101,7 @@ pub fn berk_jones(
     between(&mut statistic, law, cells, open);
     let value = statistic.value();
     let p = if value.is_nan() { f64::NAN } else { berk_jones_sf(m, value) };
-    Evidence::new(TEST.name, value, None, p, reason).under(Null::Conservative)
+    Evidence::new(TEST.name, value, None, p, reason).under(Null::Conservative).alone()
 }
 
 /// The order statistics from one end: just after and just before each.

@@ -1,6 +1,6 @@
 use super::poisson_count::{pmf, pooled};
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::Law;
 use crate::tally::CountTally;
 use freepath_results::Reason;
@@ -19,6 +19,7 @@ Gate:    neighbouring cells are pooled until each expects 50 draws, or more if t
 Rejects: as wrong_law: a wrong majorant under a right law, skipped look-ups.
 Source:  Coleman (1968).",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "coleman",
 };
 

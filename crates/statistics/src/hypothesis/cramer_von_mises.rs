@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::Law;
 use crate::special::cramer_von_mises_sf;
 use crate::tally::CellTally;
@@ -19,6 +19,7 @@ Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 
 Rejects: nothing; shown beside the others.
 Source:  Cramer (1928), von Mises (1931); p by Smirnov (1937), Csorgo and Faraway (1996).",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "cramer_von_mises",
 };
 
@@ -35,7 +36,7 @@ Source:  Cramer (1928), von Mises (1931); p by Smirnov (1937), Csorgo and Farawa
 pub fn cramer_von_mises(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if let Some(why) = grouped::gate(law, m) {
-        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why).reported();
     }
     let square: f64 = grouped::cells(law, tally, m).map(|cell| cell.square(m as f64, |_, _| 1.0)).sum();
     Evidence::new(TEST.name, square, None, cramer_von_mises_sf(m, square), reason).reported()

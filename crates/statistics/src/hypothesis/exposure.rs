@@ -1,7 +1,7 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass, POWER};
+use crate::evidence::{Alone, Evidence, NullClass, POWER};
 use crate::law::Law;
 use crate::special::{normal_quantile, pearson_two_sided};
 use crate::tally::CellTally;
@@ -21,6 +21,7 @@ Rejects: as wrong_law; as biased against the truth of a method that is biased by
 Sees:    an extinction that is off by one factor everywhere, before any other test: the optimal score.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "exposure",
 };
 

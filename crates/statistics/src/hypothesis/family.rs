@@ -1,6 +1,6 @@
 use super::list::TESTS;
 use super::record::Test;
-use crate::evidence::NullClass;
+use crate::evidence::{Alone, NullClass};
 
 /// The test of this name.
 fn test(name: &str) -> Option<&'static Test> {
@@ -35,6 +35,15 @@ pub fn declares(family: &str, null: NullClass) -> bool {
     test(family).is_some_and(|test| test.nulls.contains(&null))
 }
 
+/// True if test `family` may reject in one stage alone.
+#[must_use]
+pub fn may_reject_alone(family: &str) -> bool {
+    test(family).is_some_and(|test| match test.alone {
+        Alone::Exact | Alone::Proven | Alone::Measured => true,
+        Alone::No => false,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -46,5 +55,11 @@ mod tests {
         let to = ["atom", "mean", "mean", "second_moment", "chi_square_16", "atom"];
         assert_eq!(of.map(family), to);
         assert_eq!(["second_rank_kuiper", "joint_chi_square_64"].map(family), ["kuiper", "chi_square_64"]);
+    }
+
+    #[test]
+    fn a_limit_law_that_nobody_measured_rejects_nothing_alone() {
+        assert!(["atom", "berk_jones", "chi_square_64"].into_iter().all(may_reject_alone));
+        assert!(!["exposure", "neyman_16", "pairs_16", "lookups", "unheard_of"].into_iter().any(may_reject_alone));
     }
 }

@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -16,12 +16,15 @@ Gate:    made only where the case has a `bias_bound`.
 Rejects: as biased, or as wrong_law for a law.
 Source:  Ville (1939), Robbins (1970), Darling and Robbins (1967), Howard et al. (2021), Waudby-Smith and Ramdas (2024).",
     nulls: &[NullClass::Conservative],
+    alone: Alone::Proven,
     section: "growth",
 };
 
-/// The evidence of all looks so far: `bound` on the error, `p` against an error of 0, at all numbers of draws at once.
+/// The evidence of all looks so far: `bound` on the error, and `p` against an error of 0, at all numbers of draws at once. It may reject
+/// in one stage alone if `p` is `proven` for what was claimed of the draws.
 #[must_use]
-pub fn growth(bound: f64, p: f64, reason: Reason) -> Evidence {
+pub fn growth(bound: f64, p: f64, proven: bool, reason: Reason) -> Evidence {
     let p = if p > 1.0 { 1.0 } else { p };
-    Evidence::new(TEST.name, bound, None, p, reason).under(Null::Conservative)
+    let evidence = Evidence::new(TEST.name, bound, None, p, reason).under(Null::Conservative);
+    evidence.alone_by(Some(if proven { p } else { 1.0 }))
 }

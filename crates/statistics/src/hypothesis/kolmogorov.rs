@@ -1,6 +1,6 @@
 use super::distance::{Among, Bracket, sup_distance};
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::ks_two_sided;
 use crate::tally::CellTally;
@@ -20,6 +20,7 @@ Gate:    at least one collision. Edges make the p-value a few percent conservati
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Source:  Kolmogorov (1933); p by Durbin (1973), Pelz and Good (1976), Birnbaum and Tingey (1951).",
     nulls: &[NullClass::Conservative],
+    alone: Alone::Proven,
     section: "kolmogorov",
 };
 
@@ -32,13 +33,13 @@ Source:  Kolmogorov (1933); p by Durbin (1973), Pelz and Good (1976), Birnbaum a
 pub fn kolmogorov(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if m == 0 {
-        return Evidence::withheld(TEST.name, f64::NAN, reason, "no draw collided");
+        return Evidence::withheld(TEST.name, f64::NAN, reason, "no draw collided").alone();
     }
     let Bracket { low, high } = sup_distance(law, tally, Among::Collided);
     let slack = 2.0 * law.slack() / law.collided(); // of F(t) and of F(length)
     let d = if low > slack { low - slack } else { 0.0 };
     let p = if low.is_nan() { f64::NAN } else { ks_two_sided(m, d) };
-    let evidence = Evidence::new(TEST.name, low, None, p, reason).under(Null::Conservative);
+    let evidence = Evidence::new(TEST.name, low, None, p, reason).under(Null::Conservative).alone();
     evidence.noted(format!("D between {low:.3e} and {high:.3e}"))
 }
 

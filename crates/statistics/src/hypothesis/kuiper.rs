@@ -1,6 +1,6 @@
 use super::grouped;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::larger::larger;
 use crate::law::Law;
 use crate::special::kuiper_sf;
@@ -20,6 +20,7 @@ Gate:    1000 collisions, at most 1/1024 of them in a fine cell, a law known to 
 Rejects: nothing; shown beside the others. Sees a shift in the middle that ends cancel in `kolmogorov`.
 Source:  Kuiper (1960), Stephens (1970).",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "kuiper",
 };
 
@@ -37,7 +38,7 @@ Source:  Kuiper (1960), Stephens (1970).",
 pub fn kuiper(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let m = tally.collided();
     if let Some(why) = grouped::gate(law, m) {
-        return Evidence::withheld(TEST.name, f64::NAN, reason, why);
+        return Evidence::withheld(TEST.name, f64::NAN, reason, why).reported();
     }
     let hidden = |share: f64| {
         let count = m as f64 * share;

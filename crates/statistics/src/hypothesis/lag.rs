@@ -1,7 +1,7 @@
 use super::atom::standardised;
 use super::mean::gate;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::{chi_square_sf, pearson_two_sided};
 use crate::tally::{CellTally, LAGS, LagTally, Scores};
 use freepath_results::Reason;
@@ -19,6 +19,7 @@ Gate:    1000 pairs, and a skewness of Z of at most 0.1: not where nearly all dr
 Rejects: as dependent: rows in order of completion, a random number that is used twice.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "lag_1",
 };
 
@@ -34,6 +35,7 @@ X = sum_(h = 2..8) Z_h^2,   dof = 7,   Z_h as in lag_1 at a distance of h draws
 Gate:    1000 pairs, and a skewness of each Z_h of at most 0.03.
 Rejects: as dependent: a repeat of any period up to 8; the note names the worst.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "lag_2_to_8",
 };
 

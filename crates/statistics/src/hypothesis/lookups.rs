@@ -1,6 +1,6 @@
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::student_t_two_sided;
 use freepath_results::Reason;
 
@@ -17,6 +17,7 @@ p = exp(-|total - expected| / (1 + cost of a draw)) if the cost does not vary
 Gate:    a mean that quadrature knows to 1e-6, 20 blocks, and a variance of the total of 400 squared costs.
 Rejects: as wrong_cost: one look-up too many at the end, cached values, another majorant.",
     nulls: &[NullClass::Uniform, NullClass::Conservative],
+    alone: Alone::No,
     section: "lookups",
 };
 

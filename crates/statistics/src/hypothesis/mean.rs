@@ -2,7 +2,7 @@ use super::atom::{binomial_null, nearest, standardised};
 use super::clt_gate::withheld;
 use super::mean_claim::MeanClaim;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass, REPORTING_LEVEL};
+use crate::evidence::{Alone, Evidence, Null, NullClass, REPORTING_LEVEL};
 use crate::special::{binomial_two_sided, student_t_two_sided};
 use crate::tally::PowerSums;
 use bernstein::bernstein_p;
@@ -38,9 +38,11 @@ empirical_bernstein |mean - T| = sqrt(2 V L / n) + 7 R L / (3 (n - 1)),   L = ln
 Gate:    student_t at |skewness| <= 0.03 sqrt n, skewness_corrected at 0.1 sqrt n, neither with fewer than 100 draws other
          than 0, a Pareto shape of 1/2 or more, one draw of more than 5 % of the sum, or a variance of the variance of 0.1;
          empirical_bernstein within a claimed range; else withheld as heavy_tail, rare_event or not_enough_draws.
+Alone:   by the binomial for 0/1, by empirical_bernstein where a range is claimed; else it may not.
 Rejects: as biased. Weights of channels are `scatter_0`, `surface_0`, `scatter_0_bin_3`, and so on.
 Source:  Clopper and Pearson (1934), Hall (1992), Maurer and Pontil (2009).",
     nulls: &[NullClass::Uniform, NullClass::Discrete, NullClass::Conservative],
+    alone: Alone::Proven,
     section: "mean",
 };
 
@@ -72,7 +74,20 @@ pub fn mean(name: &str, sums: &PowerSums, claim: &MeanClaim, reason: Reason) -> 
             Evidence::withheld(name, t, reason, why)
         }
     };
-    (evidence.noted_if_empty(&words(sums, claim, method)), interval(sums, claim, method, REPORTING_LEVEL))
+    let evidence = evidence.noted_if_empty(&words(sums, claim, method));
+    let p_alone = p_alone(&evidence, sums, claim, excess);
+    (evidence.alone_by(p_alone), interval(sums, claim, method, REPORTING_LEVEL))
+}
+
+/// The p-value of one stage alone, planned by the claim and not by the draws: that of 0/1 by the binomial, that of draws of known range by empirical
+/// Bernstein, whatever method the draws allow besides. It is 1 of draws that break what is claimed of them: others see that.
+fn p_alone(evidence: &Evidence, sums: &PowerSums, claim: &MeanClaim, excess: f64) -> Option<f64> {
+    if claim.binary {
+        let counted = sums.zeros + sums.ones == sums.n;
+        return Some(evidence.p.filter(|_| counted).unwrap_or(1.0));
+    }
+    let inside = within(sums, claim.range?);
+    Some(if inside { bernstein_p(sums, claim, excess) } else { 1.0 })
 }
 
 /// The reason why the mean has no p-value.
@@ -122,6 +137,21 @@ mod tests {
         assert_eq!(judged(&[1.0; 10_000], noisy).0.p, None);
         assert_eq!(judged(&[1.0; 10_000], bounded).0.p, Some(1.0));
         assert!(judged(&[0.0; 10_000], bounded).0.p < Some(1e-9));
+    }
+
+    #[test]
+    fn only_what_is_claimed_of_the_draws_lets_a_mean_reject_alone() {
+        let draws: Vec<f64> = (0..10_000).map(|i| 0.2 + 0.02 * f64::from(i % 3)).collect();
+        let alone = |claim| judged(&draws, claim).0.p_alone;
+        assert_eq!(alone(CLAIM), None);
+        let bounded = MeanClaim { range: Some((0.0, 1.0)), ..CLAIM };
+        assert!(alone(bounded) < Some(1e-6) && judged(&draws, bounded).0.p < alone(bounded));
+        let right = MeanClaim { expected: 0.22, ..bounded };
+        assert!(alone(right) > Some(0.9));
+        assert_eq!(alone(MeanClaim { range: Some((0.0, 0.21)), ..bounded }), Some(1.0));
+        let hits: Vec<f64> = (0..10_000).map(|i| f64::from(u8::from(i % 3 == 0))).collect();
+        let (evidence, _) = judged(&hits, MeanClaim { binary: true, ..CLAIM });
+        assert!(evidence.p < Some(1e-9) && evidence.p_alone == evidence.p);
     }
 
     #[test]

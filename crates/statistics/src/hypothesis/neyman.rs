@@ -1,6 +1,6 @@
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::chi_square_sf;
 use crate::tally::CellTally;
@@ -20,6 +20,7 @@ Rejects: as wrong_law; as biased against the truth of a method that is biased by
 Sees:    smooth errors, and errors at the ends; the note names the largest component.
 Source:  Neyman (1937).",
     nulls: &[NullClass::Uniform, NullClass::Conservative],
+    alone: Alone::No,
     section: "neyman_16",
 };
 

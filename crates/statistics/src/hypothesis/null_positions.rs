@@ -1,6 +1,6 @@
 use super::chi_square::least_expected;
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::NullTally;
 use freepath_results::Reason;
@@ -18,6 +18,7 @@ Gate:    neighbouring groups are joined until the variance of each is 50, or 800
 Rejects: as wrong_law: an acceptance that does not use mu / mu_bar at the very place of the look-up.
 Source:  each acceptance is a coin of known probability, whatever came before: a martingale.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "null_positions",
 };
 

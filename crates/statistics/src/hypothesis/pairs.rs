@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::{LagTally, RANK_GROUPS};
 use freepath_results::Reason;
@@ -17,6 +17,7 @@ Gate:    neighbouring groups are joined until each cell expects 50 pairs, or mor
 Rejects: as dependent: dependence that leaves no correlation, such as a reused uniform that was folded.
 Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep the chi-square law.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "pairs_16",
 };
 

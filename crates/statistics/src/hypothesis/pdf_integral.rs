@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -13,6 +13,7 @@ int_0^length pdf + P(surface) = 1 of channels on a ray,   int pdf = 1 of directi
 Gate:    two rules of quadrature agree; there is no noise, and p is 1 or 0.
 Rejects: as wrong_law.",
     nulls: &[NullClass::Conservative],
+    alone: Alone::No,
     section: "pdf_integral",
 };
 

@@ -1,6 +1,6 @@
 use super::chi_square::{least_expected, residual};
 use super::record::Test;
-use crate::evidence::{Evidence, NullClass};
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::chi_square_sf;
 use crate::tally::CountTally;
 use freepath_results::Reason;
@@ -18,6 +18,7 @@ Gate:    neighbouring counts are pooled until each expects 50 draws, or more if 
 Rejects: as wrong_cost: a walk under another majorant, or one that stops early.
 Source:  Pearson (1900) for the statistic.",
     nulls: &[NullClass::Uniform],
+    alone: Alone::No,
     section: "poisson_count",
 };
 

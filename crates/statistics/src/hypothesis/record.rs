@@ -1,4 +1,4 @@
-use crate::evidence::NullClass;
+use crate::evidence::{Alone, NullClass};
 
 /// The record of a test, in the test's own file: all that is told of it elsewhere is read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +11,8 @@ pub struct Test {
     pub details: &'static str,
     /// The laws that its p-values may have where its claim holds.
     pub nulls: &'static [NullClass],
+    /// Its right to reject in one stage alone. Where that depends on what is claimed or drawn, evidence says less.
+    pub alone: Alone,
     /// Its section of `docs/statistics.md`, as a link has it.
     pub section: &'static str,
 }

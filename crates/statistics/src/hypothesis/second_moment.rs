@@ -2,7 +2,7 @@ use super::atom::standardised;
 use super::chi_square::lessened;
 use super::mean::gate;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use freepath_results::Reason;
@@ -20,6 +20,7 @@ Gate:    a skewness of X^2 (from m6) of at most 0.1 sqrt n; formulas that quadra
 Rejects: as wrong_variance: right mean, wrong spread.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     nulls: &[NullClass::Uniform, NullClass::Conservative],
+    alone: Alone::No,
     section: "second_moment",
 };
 

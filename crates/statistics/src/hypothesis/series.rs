@@ -1,7 +1,7 @@
 use super::atom::atom;
 use super::chi_square::chi_square;
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::tally::CellTally;
 use freepath_results::Reason;
@@ -18,6 +18,7 @@ T(0, d) = T(0, s) T(s, d):   p = min(1, 2 min(p of the atom, p of 16 cells))
 Gate:    as atom and chi_square_16.
 Rejects: as wrong_law: a uniform or a state that is used again across a boundary, where each part alone is exact.",
     nulls: &[NullClass::Conservative],
+    alone: Alone::No,
     section: "series",
 };
 
@@ -32,7 +33,9 @@ pub fn series(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let cells = chi_square(TEST.name, law, tally, 16, reason);
     let worse = match (escapes.p, cells.p) {
         (Some(a), Some(b)) if !(a >= b) => escapes,
-        (_, None) => return Evidence { name: "series".into(), ..escapes }.under(Null::Conservative),
+        (_, None) => {
+            return Evidence { name: "series".into(), p_alone: None, ..escapes }.under(Null::Conservative);
+        }
         _ => cells,
     };
     let p = worse.p.map_or(f64::NAN, |p| if p > 0.5 { 1.0 } else { 2.0 * p });

@@ -1,5 +1,5 @@
 use super::record::Test;
-use crate::evidence::{Evidence, Null, NullClass};
+use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::poisson_sf;
 use crate::tally::TieTally;
@@ -18,6 +18,7 @@ Gate:    made only where the law is continuous and independence is claimed.
 Rejects: as dependent: copied streams, repeated rows, quantised or clamped distances. Draws in single precision must
          declare `resolution_bits` 24.",
     nulls: &[NullClass::Conservative],
+    alone: Alone::No,
     section: "ties",
 };
 

@@ -48,11 +48,12 @@ fn line(of: &SoakTest) -> String {
 
 fn level(of: &LevelResult) -> String {
     let mut text =
-        format!("\nfalse alarms, each stage at {}      designed  runs   observed  99 % limits\n", of.level.0);
+        format!("\nfalse alarms, both stages at {}     designed  runs   observed  99 % limits\n", of.level.0);
     let rows = [
         ("stage 1 rejects", of.stage_1),
         ("both stages reject", of.both),
-        ("both reject a subject", of.confirmed),
+        ("one stage alone", of.alone),
+        ("a subject fails", of.confirmed),
     ];
     text.extend(rows.map(|(what, rate)| alarm(what, &rate)));
     let seeds = of.alarms.iter().map(|alarm| format!("  {} {} {}\n", alarm.seed, alarm.subject, alarm.test));

@@ -27,6 +27,6 @@ impl Sequence for Distance<'_> {
         let excess = distance.low - self.0.law.slack();
         let p = if excess <= 0.0 { 1.0 } else { dkw_p(n, excess) / share };
         let bound = distance.high + dkw_band(n, REPORTING_LEVEL * share);
-        InterimLook { bound, p: looks.note(p), method: "dkw", withheld: None }
+        InterimLook { bound, p: looks.note(p), method: "dkw", proven: true, withheld: None }
     }
 }

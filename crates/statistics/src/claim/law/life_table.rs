@@ -1,12 +1,13 @@
 //! Places along the ray where a law breaks: a diagnosis beside the tests.
 
-use crate::decide::STAGE_ALPHA;
 use crate::evidence::REPORTING_LEVEL;
 use crate::law::Law;
 use crate::special::{binomial_cdf, binomial_sf, clopper_pearson};
 use crate::tally::CellTally;
 use freepath_results::{LifeTable, Real};
 
+/// A row is off if its p-value, times the number of rows, is at most so much.
+const OFF: f64 = 1e-3;
 /// Most rows.
 const MOST_ROWS: usize = 128;
 /// With fewer breaks than this, equal rows are cut as well.
@@ -31,7 +32,7 @@ pub(super) fn of(law: &Law, breaks: &[f64], tally: &CellTally) -> LifeTable {
 /// A sentence on the row that is off most, if it is by more than chance.
 #[must_use]
 pub fn worst(table: &LifeTable) -> Option<String> {
-    let off = (0..table.p.len()).filter(|&i| table.p[i].0 * table.p.len() as f64 <= STAGE_ALPHA);
+    let off = (0..table.p.len()).filter(|&i| table.p[i].0 * table.p.len() as f64 <= OFF);
     let (i, _) = off.map(|i| (i, distance(table, i))).reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let (start, end) = (table.edges[i].0, table.edges[i + 1].0);
     let (seen, expected, p) = (table.collisions[i] as f64, table.expected[i].0, table.p[i].0);

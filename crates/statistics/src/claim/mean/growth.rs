@@ -48,7 +48,10 @@ impl Sequence for Bias<'_> {
         let sums = power_sums(tallies, self.claim.weights);
         let (evidence, fixed) = hypothesis::mean("mean", &sums, truth, Reason::Biased);
         match (fixed.method, &self.bernstein, truth.range) {
-            (Method::Exact, ..) => look((fixed.low, fixed.high), evidence.p.unwrap_or(0.0), "exact"),
+            (Method::Exact, ..) => {
+                let p = evidence.p.unwrap_or(0.0);
+                InterimLook { proven: false, ..look((fixed.low, fixed.high), p, "exact") }
+            }
             (Method::Binomial, ..) => self.binomial(&sums, looks),
             (_, Some(bernstein), Some(range)) if within(&sums, range) => {
                 self.bounded(bernstein, tallies, &sums, looks, target)
@@ -62,7 +65,7 @@ impl Sequence for Bias<'_> {
                 let p = evidence.p.map_or(1.0, |p| looks.note(p / share));
                 let ends: Interval = interval_at(&sums, truth, REPORTING_LEVEL * share);
                 let withheld = evidence.p.is_none().then(|| hypothesis::undecided(&sums, truth));
-                InterimLook { withheld, ..look((ends.low, ends.high), p, method.name()) }
+                InterimLook { proven: false, withheld, ..look((ends.low, ends.high), p, method.name()) }
             }
         }
     }
@@ -106,7 +109,7 @@ impl Bias<'_> {
 
 fn look((low, high): (f64, f64), p: f64, method: &'static str) -> InterimLook {
     let bound = if -low > high { -low } else { high };
-    InterimLook { bound, p, method, withheld: None }
+    InterimLook { bound, p, method, proven: true, withheld: None }
 }
 
 /// ln of the mean of two e-values.
