@@ -68,7 +68,7 @@ impl Medium for Silent {
 
 fn judged(medium: &dyn Medium) -> Judgement {
     let ratio: AnyTransmittance = serde_json::from_str(r#"{"ratio_tracking": {}}"#).expect("an estimator");
-    judgement(&Subject { draws: 100_000, ..Subject::new(&transmittance(&ratio, Ray::of(medium))) }, 11)
+    judgement(&Subject { draws: 100_000, ..Subject::new(&transmittance(&*ratio, Ray::of(medium))) }, 11)
 }
 
 #[test]
