@@ -149,7 +149,7 @@ fn blocks_that_are_equal_are_dependent_but_for_zeros_of_a_rare_estimator() {
         |n: usize| -> Vec<f64> { (0..n).map(|_| if exponential(&mut rng) > 11.0 { 1.0 } else { 0.0 }).collect() };
     let rare = estimates(&folder, &zero_or_one(60 * ROWS));
     assert!(!rare.reasons.contains(&Reason::Dependent), "{:?}", rare.notes);
-    let constant = estimates(&folder, &vec![(-11.0f64).exp(); 12 * ROWS]);
+    let constant = estimates(&folder, &vec![libm::exp(-11.0); 12 * ROWS]);
     assert!(!constant.reasons.contains(&Reason::Dependent), "{:?}", constant.notes);
     let mut one = zero_or_one(ROWS);
     one.iter_mut().step_by(2000).for_each(|x| *x = 1.0);
