@@ -42,7 +42,8 @@ mod tests {
     fn the_rule_keeps_what_is_designed() {
         let designed = Levels::RULE.designed();
         assert!(designed <= ALPHA && designed > 0.999 * ALPHA);
-        assert!(Levels::RULE.both <= SUSPECT && Levels::RULE.alone <= SUSPECT);
+        let suspects = [Levels::RULE.both, Levels::RULE.alone].into_iter().all(|level| level <= SUSPECT);
+        assert!(suspects, "what a road rejects must have given cause for stage 2");
         assert!((Levels::at(0.0707).alone / 2.5e-3 - 1.0).abs() < 1e-3);
     }
 }

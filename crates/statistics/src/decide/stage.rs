@@ -135,11 +135,11 @@ mod tests {
         let adjusted = |one: &Judged| {
             let stages = adjust([one].into_iter());
             [stages[0].tests[0].adjusted, stages[0].tests[0].adjusted_alone]
-                .map(|p| (1e9 * p.unwrap_or(0.0)).round())
+                .map(|p| format!("{:.0e}", p.unwrap_or(0.0)))
         };
-        assert_eq!(adjusted(&one), [2.0, 1.0]);
+        assert_eq!(adjusted(&one), ["2e-9", "1e-9"]);
         one.evidence.push(Evidence::withheld("berk_jones", 0.0, Reason::WrongLaw, "few draws").alone());
-        assert_eq!(adjusted(&one), [3.0, 2.0]);
+        assert_eq!(adjusted(&one), ["3e-9", "2e-9"]);
         let stages = adjust([&one].into_iter());
         assert_eq!((stages[0].tests[1].adjusted_alone, stages[0].tests[2].adjusted), (None, None));
     }
