@@ -181,7 +181,7 @@ impl Target {
 
     /// The number at a probability `u` in [0, 1): the continuous part first, then the atoms.
     ///
-    /// Cost: some 60 evaluations of the distribution function if there is no other way.
+    /// Cost: some 6 evaluations of the distribution function, 60 where no density is known.
     #[must_use]
     pub fn quantile(&self, u: f64) -> f64 {
         let mut rest = u - (1.0 - self.atom_mass);
@@ -196,14 +196,25 @@ impl Target {
     }
 
     fn continuous_quantile(&self, mass: f64) -> f64 {
-        let [mut low, mut high] = self.domain;
-        loop {
-            let middle = 0.5 * (low + high);
-            if !(low < middle && middle < high) {
-                return high;
+        match &self.continuous {
+            Continuous::Density(medium) => {
+                let x = self.domain[0] + medium.inverse_tau(mass);
+                // what rounding leaves short of the mass is the end of the domain
+                if x > self.domain[1] { self.domain[1] } else { x }
             }
-            if self.continuous_mass(middle) > mass { high = middle } else { low = middle }
+            Continuous::Distribution(cdf) => bisected(self.domain, |x| cdf.at(x) > mass),
         }
+    }
+}
+
+/// The least number, to rounding, from which on `above` holds.
+fn bisected([mut low, mut high]: [f64; 2], above: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if !(low < middle && middle < high) {
+            return high;
+        }
+        if above(middle) { high = middle } else { low = middle }
     }
 }
 
