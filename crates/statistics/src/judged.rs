@@ -23,8 +23,23 @@ impl Judged {
     /// The same without p-values, and why.
     #[must_use]
     pub(crate) fn withheld(mut self, why: &str) -> Self {
-        let withheld = |test: Evidence| Evidence { note: why.into(), p: None, ..test };
+        let withheld = |test: Evidence| {
+            let p_alone = test.p_alone.map(|_| 1.0);
+            Evidence { note: why.into(), p: None, p_alone, ..test }
+        };
         self.evidence = self.evidence.into_iter().map(withheld).collect();
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_withheld_rejects_by_neither_road() {
+        let evidence = Evidence::new("atom", 0.0, None, 0.0, Reason::WrongLaw).alone();
+        let judged = Judged { evidence: vec![evidence], ..Judged::default() }.withheld("sorted");
+        assert_eq!((judged.evidence[0].p, judged.evidence[0].p_alone), (None, Some(1.0)));
     }
 }
