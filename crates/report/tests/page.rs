@@ -132,7 +132,8 @@ fn power_and_soak_are_shown_where_they_lie_beside() {
         "No fault needs more than 8,192 draws",
         "A level is broken.",
         "p-values of the soak",
-        "both reject the same subject, which fails",
+        "one stage rejects something alone",
+        "a subject fails",
         "exact (seed 9): a draw lies outside the ray",
         "soak.json cannot be read &#60;here&#62;.",
     ] {
