@@ -11,6 +11,8 @@ pub const CHECKS: &[Check] = &[
     check::AUDIT,
     check::FINITE,
     check::SUPPORT,
+    check::RANGE,
+    check::NOISE_FREE,
     check::EQUAL_BLOCKS,
     check::SORTED,
     check::VACUUM,

@@ -10,10 +10,12 @@ use freepath_statistics::fold::{Folds, LookupWatch};
 use freepath_statistics::tally::Audit;
 use std::cell::RefCell;
 
+mod declared;
 mod functional;
 mod probe;
 mod terms;
 
+pub use declared::Declared;
 pub use functional::Functional;
 pub use probe::Probe;
 pub use terms::{DRAWS, Route, Terms};

@@ -64,6 +64,8 @@ pub trait Kind: Sized + Send + Sync + 'static {
     const CONTROL: Option<&'static str>;
     /// True if a row is an estimate.
     const ESTIMATES: bool;
+    /// True if the means of estimates or weights are claimed. Provided: of estimates.
+    const WEIGHS: bool = Self::ESTIMATES;
     /// True if draws may grow towards a bound on the bias: there is one mean, or one law.
     const GROWS: bool;
 

@@ -1,6 +1,6 @@
 //! A subject ready to run: an experiment, under which faults, and how far it is to be judged.
 
-use crate::experiment::{Experiment, Plan, Terms};
+use crate::experiment::{Declared, Experiment, Plan, Terms};
 use crate::fault::Fault;
 use crate::samples::{Escape, EscapeRule};
 use freepath_draws::random::UNIFORM_BITS;
@@ -38,6 +38,8 @@ pub struct Subject<'a> {
     pub faults: &'a [Fault],
     /// Claims withdrawn.
     pub without: &'a [Withdrawal],
+    /// What its author knows of its draws.
+    pub declared: Declared,
     /// The method that is driven.
     pub route: Route,
     /// The rule for escapes beside infinity, though nothing says so.
@@ -60,6 +62,7 @@ impl<'a> Subject<'a> {
             lookups_per_draw: BUDGET_PER_DRAW,
             faults: &[],
             without: &[],
+            declared: Declared::default(),
             route: Route::Block,
             assumed: None,
         }
@@ -82,6 +85,7 @@ impl<'a> Subject<'a> {
             budget: self.budget,
             bias_bound: self.bias_bound,
             without: self.without,
+            declared: self.declared,
             route: if self.one_by_one() { Route::Scalar } else { Route::Block },
         }
     }

@@ -49,7 +49,7 @@ reasons! {
     /// NaN or infinity.
     NonFinite = "non_finite": "draws are NaN or infinite: look for a logarithm of 0, a division by 0, or 0 / 0 in a weight",
     /// Outside the support.
-    OutOfSupport = "out_of_support": "draws or look-ups lie outside the ray, or where the law has no mass",
+    OutOfSupport = "out_of_support": "draws or look-ups lie outside the ray, where the law has no mass, or outside of their range",
     /// A look-up exceeded the majorant.
     BoundViolated = "bound_violated": "a look-up exceeded the majorant that the subject relies on: the majorant is short, or the density is clamped to it",
     /// Not the same twice.
@@ -59,7 +59,7 @@ reasons! {
     /// The law of the draws is not the one claimed.
     WrongLaw = "wrong_law": "the distances do not follow the law that the subject claims: a wrong acceptance test, a stale position, a wrong channel pdf",
     /// The second moment is not the one claimed.
-    WrongVariance = "wrong_variance": "the second moment is not the one that the formula gives: a weight with the right mean and the wrong spread",
+    WrongVariance = "wrong_variance": "the second moment is not the one that the formula gives, or there is noise where none may be: a weight with the right mean and the wrong spread",
     /// The look-ups are not as many as claimed.
     WrongCost = "wrong_cost": "the number of look-ups is not the one that the method must make: skipped or doubled look-ups",
     /// Draws depend on one another.

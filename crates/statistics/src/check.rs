@@ -3,6 +3,8 @@
 mod audit;
 mod equal_blocks;
 mod finite;
+mod noise_free;
+mod range;
 mod sorted;
 mod subject;
 mod support;
@@ -12,6 +14,8 @@ mod vacuum;
 pub use audit::CHECK as AUDIT;
 pub use equal_blocks::CHECK as EQUAL_BLOCKS;
 pub use finite::CHECK as FINITE;
+pub use noise_free::CHECK as NOISE_FREE;
+pub use range::CHECK as RANGE;
 pub use sorted::CHECK as SORTED;
 pub use subject::CHECK as SUBJECT;
 pub use support::CHECK as SUPPORT;

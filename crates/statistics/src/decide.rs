@@ -62,11 +62,21 @@ pub fn decide_at(first: &Stage, second: Option<&Stage>, levels: Levels) -> Decis
             "only one of the two stages rejects, and not by so much that it would do alone: more draws would tell";
         return undecided(vec![(Reason::NotEnoughDraws, why.into())], found);
     }
-    let mut gates = first.judged.gates.clone();
+    let mut gates = open(first, second);
     if first.judged.evidence.iter().all(|evidence| evidence.judged_p().is_none()) {
         gates.push((Reason::NotEnoughDraws, "no test could be made".into()));
     }
     undecided(gates, found)
+}
+
+/// What could not be judged in stage 1; if nothing, what could not in stage 2: draws that tell of a heavy tail do so in either.
+fn open(first: &Stage, second: Option<&Stage>) -> Vec<(Reason, String)> {
+    let later = || second.into_iter().flat_map(|stage| &stage.judged.gates);
+    if first.judged.gates.is_empty() {
+        later().map(|(reason, why)| (*reason, format!("in stage 2, {why}"))).collect()
+    } else {
+        first.judged.gates.clone()
+    }
 }
 
 fn undecided(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
@@ -145,6 +155,20 @@ mod tests {
         assert_eq!(verdict(&[1e-9, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
         assert_eq!(verdict(&[7e-4, 0.5], Some(&[0.2, 0.5])), Verdict::Pass);
         assert_eq!(verdict(&[0.3, 0.5], None), Verdict::Pass);
+    }
+
+    #[test]
+    fn what_either_stage_leaves_open_is_no_pass() {
+        let heavy = Judged { gates: vec![(Reason::HeavyTail, "mean: a tail".into())], ..judged(&[0.5]) };
+        for (one, two, note) in [
+            (judged(&[0.5]), heavy.clone(), "in stage 2, mean: a tail"),
+            (heavy.clone(), heavy.clone(), "mean: a tail"),
+            (heavy, judged(&[0.5]), "mean: a tail"),
+        ] {
+            let decision = decision(&one, Some(&two));
+            assert_eq!((decision.verdict, decision.reasons), (Verdict::Inconclusive, vec![Reason::HeavyTail]));
+            assert_eq!(decision.notes, [note]);
+        }
     }
 
     #[test]

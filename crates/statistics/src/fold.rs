@@ -24,6 +24,7 @@ mod places;
 mod strays;
 mod ties;
 mod unit_weight;
+mod wealth;
 mod weight;
 
 pub use auxiliary::Auxiliary;
@@ -42,6 +43,7 @@ pub use places::{Inside, PlaceCounts, Places};
 pub use strays::{ProbableEscape, Repeated, Sentinel, Short, StrayCounts, Strays};
 pub use ties::Ties;
 pub use unit_weight::UnitWeight;
+pub use wealth::WealthSums;
 pub use weight::{WeightPart, WeightSums, Weights};
 
 /// Counts that merge in any order.

@@ -20,8 +20,10 @@ mod beta_binomial;
 mod betting;
 mod looks;
 mod mixture;
+mod portfolio;
 
 pub use bernstein::EmpiricalBernstein;
 pub use beta_binomial::BetaBinomial;
 pub use betting::{Bets, Capitals};
 pub use looks::{Looks, dkw_band, dkw_p};
+pub use portfolio::{Portfolio, Wealth};

@@ -4,7 +4,9 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use freepath_formats::Format;
 use freepath_harness::case::KINDS;
+use freepath_harness::experiment::Declared;
 use freepath_harness::samples::Escape;
+use freepath_statistics::claim::Withdrawal;
 use std::path::PathBuf;
 
 /// `freepath check`.
@@ -40,6 +42,12 @@ pub(crate) struct Check {
     /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
     #[arg(long, value_name = "N")]
     pub(crate) resolution_bits: Option<u32>,
+    /// What is known of the estimates or weights, which are then held to it: range:LOW,HIGH, or noise_free; may be given more than once.
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) declare: Vec<Declared>,
+    /// Claims withdrawn, such as independent, truth; may be given more than once.
+    #[arg(long, value_name = "CLAIM", value_delimiter = ',', value_parser = named::<Withdrawal>)]
+    pub(crate) without: Vec<Withdrawal>,
     /// The ray that they were drawn along, from 0, if the case has several.
     #[arg(long, value_name = "I")]
     pub(crate) ray: Option<usize>,

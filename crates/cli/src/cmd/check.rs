@@ -6,6 +6,7 @@ use crate::command_error::CommandError;
 use crate::command_name;
 use freepath_draws::simd;
 use freepath_harness::case::{CaseError, CaseFile, Limits, Prepared, SubjectSpec};
+use freepath_harness::experiment::Declared;
 use freepath_harness::kind::SampleArguments;
 use freepath_harness::run::quoted;
 use freepath_harness::samples::Escape;
@@ -37,7 +38,15 @@ fn subject(args: &Check) -> Result<SubjectSpec, &'static str> {
     };
     let unknown = Err("cannot tell what the samples are: there is no such kind");
     let spec = SubjectSpec::of_samples(&args.kind, arguments).unwrap_or(unknown)?;
-    Ok(SubjectSpec { draws: args.draws, tolerance: args.tolerance, resolution_bits: args.resolution_bits, ..spec })
+    let declared = args.declare.iter().copied().reduce(Declared::and);
+    Ok(SubjectSpec {
+        draws: args.draws,
+        tolerance: args.tolerance,
+        resolution_bits: args.resolution_bits,
+        without: args.without.clone(),
+        declare: declared,
+        ..spec
+    })
 }
 
 /// As a case has it.
@@ -60,6 +69,8 @@ fn repro(args: &Check) -> String {
     words.extend(args.draws.map(|n| format!("--draws {n}")));
     words.extend(args.tolerance.map(|x| format!("--tolerance {x:e}")));
     words.extend(args.resolution_bits.map(|n| format!("--resolution-bits {n}")));
+    words.extend(args.declare.iter().map(|declared| flag("declare", &declared.to_string())));
+    words.extend(args.without.iter().map(|claim| flag("without", &name(claim))));
     words.extend(args.ray.map(|i| format!("--ray {i}")));
     words.extend(args.allow_paths.then(|| "--allow-paths".to_string()));
     words.join(" ")

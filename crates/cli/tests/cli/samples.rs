@@ -9,6 +9,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
+mod declared;
 mod escapes;
 mod refusals;
 mod single;

@@ -26,6 +26,10 @@ pub(crate) trait AnyNamed {
     fn capabilities(&self) -> Option<Vec<Capability>>;
     /// True if its draws may grow towards a bound on the bias.
     fn grows(&self) -> bool;
+    /// True if the means of its estimates or weights are claimed, of which a range can be declared.
+    fn weighs(&self) -> bool;
+    /// True if a row is an estimate.
+    fn estimates(&self) -> bool;
     /// The file that it is, if it is one.
     fn samples(&self) -> Option<&dyn AnySamples>;
     /// The program that it is, if it is one.
@@ -59,6 +63,12 @@ impl<K: Kind> AnyNamed for Named<K> {
     }
     fn grows(&self) -> bool {
         K::GROWS
+    }
+    fn weighs(&self) -> bool {
+        K::WEIGHS || self.samples().is_some_and(AnySamples::weighted)
+    }
+    fn estimates(&self) -> bool {
+        K::ESTIMATES
     }
     fn samples(&self) -> Option<&dyn AnySamples> {
         match self {

@@ -36,6 +36,7 @@ impl CaseFile {
                 fault.injection().check().map_err(refused)?;
             }
             self.check_masks_fault(&at, subject)?;
+            self.check_declared(&at, subject)?;
         }
         self.check_effort()
     }
@@ -48,6 +49,26 @@ impl CaseFile {
             return Err(self.refuse(&format!("{at}.masks_fault"), why));
         }
         Ok(())
+    }
+
+    /// A range and noise are those of estimates or weights.
+    fn check_declared(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
+        let (Some(declared), Some(named)) = (subject.declare, subject.named()) else { return Ok(()) };
+        let refuse = |key: &str, why: String| Err(self.refuse(&format!("{at}.declare{key}"), why));
+        let kind = subject.kind();
+        if declared.range.is_some() && !named.weighs() {
+            return refuse(
+                ".range",
+                format!("a {kind} subject has no estimates or weights (only they have a range)"),
+            );
+        }
+        if declared.noise_free && !named.estimates() {
+            return refuse(
+                ".noise_free",
+                format!("a {kind} subject has no estimates (only they can be free of noise)"),
+            );
+        }
+        declared.check().or_else(|why| refuse(".range", why))
     }
 
     fn check_kind(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {

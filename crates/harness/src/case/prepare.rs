@@ -77,6 +77,7 @@ impl PreparedSubject {
             bits: self.spec.resolution_bits.or(case.resolution_bits).unwrap_or(bits),
             faults: &self.faults,
             without: &self.spec.without,
+            declared: self.spec.declare.unwrap_or_default(),
             ..Subject::new(&*self.experiment)
         }
     }

@@ -13,6 +13,7 @@ pub(crate) trait AnySamples {
     fn file(&self) -> &str;
     fn rows(&self, outline: &Outline) -> RowFormat;
     fn format(&self) -> Option<Format>;
+    fn weighted(&self) -> bool;
 }
 
 impl<S: SamplesSpec> AnySamples for S {
@@ -24,6 +25,9 @@ impl<S: SamplesSpec> AnySamples for S {
     }
     fn format(&self) -> Option<Format> {
         self.format()
+    }
+    fn weighted(&self) -> bool {
+        self.weighted()
     }
 }
 

@@ -6,6 +6,7 @@ use super::faults::Faults;
 use super::kind_entry::KindEntry;
 use super::named::Named;
 use crate::agree::Agreement;
+use crate::experiment::Declared;
 use crate::fault::Expectation;
 use crate::kind::{self, Kind, SampleArguments, SamplesSpec};
 use freepath_estimators::MajorantChoice;
@@ -66,6 +67,9 @@ macro_rules! subjects {
             /// Claims withdrawn.
             #[serde(skip_serializing_if = "Vec::is_empty", default)]
             pub without: Vec<Withdrawal>,
+            /// What its author knows of its draws, and it is then held to.
+            #[serde(skip_serializing_if = "Option::is_none", default)]
+            pub declare: Option<Declared>,
             /// Instead of the case's.
             #[serde(skip_serializing_if = "Option::is_none", default)]
             pub agree: Option<Vec<Agreement>>,

@@ -1,3 +1,4 @@
+use super::Declared;
 use crate::blocks::BLOCK;
 use freepath_draws::random::UNIFORM_BITS;
 use freepath_statistics::claim::{BiasBound, Withdrawal};
@@ -32,6 +33,8 @@ pub struct Terms<'a> {
     pub bias_bound: Option<BiasBound>,
     /// Claims withdrawn.
     pub without: &'a [Withdrawal],
+    /// What its author knows of its draws.
+    pub declared: Declared,
     /// The method that is driven.
     pub route: Route,
 }
@@ -46,6 +49,7 @@ impl Default for Terms<'_> {
             budget: 64 * DRAWS,
             bias_bound: None,
             without: &[],
+            declared: Declared::default(),
             route: Route::Block,
         }
     }

@@ -35,6 +35,7 @@ impl Kind for Chromatic {
     const WRONG: &'static str = "the weights of the chromatic sampler are wrong";
     const CONTROL: Option<&'static str> = None;
     const ESTIMATES: bool = false;
+    const WEIGHS: bool = true;
     const GROWS: bool = false;
 
     type Sampler<'a> = dyn ChromaticSampler + 'a;

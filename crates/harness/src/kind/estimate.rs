@@ -77,7 +77,7 @@ impl Kind for Estimate {
     }
 
     fn plan<'a>(number: &'a Number, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a> {
-        plan::plan(number, source.is_external(), terms)
+        plan::plan(number, source, terms)
     }
 
     fn capabilities(_: &Self::Sampler<'_>) -> Vec<Capability> {

@@ -1,10 +1,13 @@
 //! Weighted means of events along a ray: of a chromatic sampler, or of weighted free paths.
 
-use freepath_draws::column::{T, channel};
+use crate::experiment::{Declared, Terms};
+use freepath_draws::column::{self, T, channel};
+use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
+    BoundedMean, Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
+    bounds, portfolio,
 };
-use freepath_statistics::fold::{Event, EventSums, FoldId, Strays};
+use freepath_statistics::fold::{Event, EventSums, FoldId, Strays, WealthSums};
 use freepath_statistics::hypothesis::{MeanClaim, SecondMoment};
 
 /// The weighted mean of one event in one channel.
@@ -41,15 +44,16 @@ impl Events {
             distance: T,
             event: mean.event,
             center: mean.mean.expected,
-            keeps_tail: mean.keeps_tail,
+            keeps_tail: mean.keeps_tail && mean.mean.range.is_none(),
         };
         let sums = means.iter().map(|mean| claims.folds.add(fold(mean))).collect();
         Self { means, sums }
     }
 
-    /// Every weight is finite.
-    pub(super) fn finite(&self, claims: &mut Claims) {
-        claims.push(EventWeights { sums: self.sums.clone() });
+    /// Every weight is finite, and within its range if one is declared.
+    pub(super) fn finite(&self, terms: &Terms, claims: &mut Claims) {
+        let (range, tolerance) = (terms.declared.range.map(with_zero), terms.tolerance);
+        claims.push(EventWeights { sums: self.sums.clone(), range, tolerance });
     }
 
     /// Every distance lies on the ray, where no law counts them.
@@ -68,8 +72,15 @@ impl Events {
         for (EventMean { channel, event, name, mean, moments, moments_error: error, .. }, sums) in
             self.means.into_iter().zip(self.sums)
         {
-            let second = format!("second_moment_{name}");
+            let (second, bounded) = (format!("second_moment_{name}"), format!("bounded_mean_{name}"));
             claims.push(EventClaim { name, channel, event, mean, sums });
+            if bounds(&mean) {
+                let column = column::channel(channel);
+                let fold = |portfolio| WealthSums { column, event: Some((T, event)), portfolio };
+                let wealth = portfolio(&mean).map(|portfolio| claims.folds.add(fold(portfolio)));
+                let (sums, reason) = (Moments::Event(sums), Reason::Biased);
+                claims.push(BoundedMean { name: bounded, sums, wealth, mean, reason });
+            }
             if let Some(moments) = moments {
                 let sums = Moments::Event(sums);
                 let moment = SecondMoment { moments, error, slack: mean.slack };
@@ -79,19 +90,26 @@ impl Events {
     }
 }
 
+/// The range of a weight that counts as 0 where its event does not happen.
+fn with_zero(range: [f64; 2]) -> (f64, f64) {
+    let [low, high] = range;
+    (if low < 0.0 { low } else { 0.0 }, if high > 0.0 { high } else { 0.0 })
+}
+
 /// The claim on the weights of an event.
 pub(super) fn weights(
     expected: f64,
     moments: Option<[f64; 3]>,
     probability: Option<f64>,
     slack: f64,
+    declared: Declared,
 ) -> MeanClaim {
     let variance = moments.map(|[m2, ..]| m2 - expected * expected);
     MeanClaim {
         expected,
         slack,
         binary: false,
-        range: None,
+        range: declared.range.map(with_zero),
         variance: variance.map(|v| if v > 0.0 { v } else { 0.0 }),
         skewness: probability.map(skewness),
     }

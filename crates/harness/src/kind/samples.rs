@@ -40,6 +40,11 @@ pub trait SamplesSpec: Body {
     /// The format of the file.
     fn format(&self) -> Option<Format>;
 
+    /// True if a row has a weight. Provided: it has none.
+    fn weighted(&self) -> bool {
+        false
+    }
+
     /// As a command line has it.
     ///
     /// # Errors

@@ -1,8 +1,10 @@
 use super::unit_weight::finite;
 use super::{Claim, Finding, Summary, Withdrawal, counted};
 use crate::check;
+use crate::evidence::Fact;
 use crate::fold::{FoldId, Tallies, Weights};
 use crate::judged::Judged;
+use crate::tally::PowerSums;
 use freepath_draws::Draws;
 use freepath_results::{ClaimResult, Reason};
 
@@ -14,6 +16,8 @@ pub struct Estimates {
     pub weights: FoldId<Weights>,
     /// The least and greatest value.
     pub range: Option<(f64, f64)>,
+    /// The most by which an estimate may be off.
+    pub tolerance: f64,
 }
 
 impl Claim for Estimates {
@@ -27,13 +31,15 @@ impl Claim for Estimates {
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
-        let spoilt = tallies.sums(self.weights).all.non_finite;
-        into.facts.extend(counted(check::FINITE, spoilt, Reason::NonFinite, "draws are NaN or infinite"));
+        let sums = &tallies.sums(self.weights).all;
+        let spoilt = counted(check::FINITE, sums.non_finite, Reason::NonFinite, "draws are NaN or infinite");
+        into.facts.extend(spoilt);
+        into.facts.extend(self.range.and_then(|range| out_of_range("draws", sums, range, self.tolerance)));
     }
 
     fn look(&self, draws: &Draws, row: usize) -> Option<Finding> {
         let weight = draws.f64(self.column).ok()?[row];
-        finite(weight).or_else(|| outside(weight, self.range?))
+        finite(weight).or_else(|| self.outside(weight, self.range?))
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
@@ -41,9 +47,24 @@ impl Claim for Estimates {
     }
 }
 
-fn outside(weight: f64, (low, high): (f64, f64)) -> Option<Finding> {
-    let rounding = 1e-9 * (high - low);
-    let inside = weight >= low - rounding && weight <= high + rounding;
-    let what = || format!("the estimate {weight:e} lies outside its range, {low:e} to {high:e}");
-    (!inside).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
+impl Estimates {
+    fn outside(&self, weight: f64, (low, high): (f64, f64)) -> Option<Finding> {
+        let inside = holds(weight, (low, high), self.tolerance);
+        let what = || format!("the estimate {weight:e} lies outside its range, {low:e} to {high:e}");
+        (!inside).then(|| Finding { reason: Reason::OutOfSupport, what: what() })
+    }
+}
+
+/// True if a number lies in a range, but for rounding and the tolerance.
+fn holds(x: f64, (low, high): (f64, f64), tolerance: f64) -> bool {
+    let rounding = 1e-9 * (high - low) + tolerance;
+    x >= low - rounding && x <= high + rounding
+}
+
+/// The fact that finite numbers lie outside of a range.
+pub(super) fn out_of_range(what: &str, sums: &PowerSums, range: (f64, f64), tolerance: f64) -> Option<Fact> {
+    let (PowerSums { least, greatest, .. }, (low, high)) = (*sums, range);
+    let inside = sums.n == 0 || [least, greatest].into_iter().all(|x| holds(x, range, tolerance));
+    let words = || format!("{what} go from {least:e} to {greatest:e}, out of their range, {low:e} to {high:e}");
+    (!inside).then(|| Fact::new(check::RANGE.name, Reason::OutOfSupport, words()))
 }

@@ -1,4 +1,4 @@
-use super::mean::{judge_mean, with_interval};
+use super::mean::{condition, judge_mean, with_interval};
 use super::{Claim, Summary, Withdrawal};
 use crate::fold::{Event, EventSums, FoldId, Tallies};
 use crate::hypothesis::{self, MeanClaim};
@@ -27,9 +27,10 @@ impl Claim for EventClaim {
             Event::Surface => "draws that reach the end".to_string(),
             Event::Between(from, to) => format!("draws that scatter between {from:.4e} and {to:.4e}"),
         };
-        let (channel, mean) = (self.channel, self.mean.expected);
-        let words =
-            format!("the weights of channel {channel} have the mean {mean:.4e} over {event}, all others being 0");
+        let (channel, mean, condition) = (self.channel, self.mean.expected, condition(&self.mean));
+        let words = format!(
+            "the weights of channel {channel} have the mean {mean:.4e} over {event}, all others being 0{condition}"
+        );
         Some(ClaimResult::new(self.name.clone(), words))
     }
 
@@ -56,6 +57,5 @@ impl Claim for EventClaim {
 
 /// The sums of an event, with the shape of their tail if that was kept.
 pub(super) fn power_sums(tallies: &Tallies, event: FoldId<EventSums>) -> PowerSums {
-    let (sums, tail) = (*tallies.sums(event), tallies.counts(event));
-    PowerSums { shape: tail.as_ref().and_then(|tail| tail.shape(sums.n)), ..sums }
+    tallies.sums(event).with_tail(tallies.counts(event).as_ref())
 }

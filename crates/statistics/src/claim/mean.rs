@@ -38,7 +38,8 @@ impl WeightClaim {
 
 impl Claim for WeightClaim {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new("mean", format!("the mean of the draws is {:.4e}", self.truth.expected)))
+        let words = format!("the mean of the draws is {:.4e}{}", self.truth.expected, condition(&self.truth));
+        Some(ClaimResult::new("mean", words))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
@@ -67,11 +68,16 @@ impl Claim for WeightClaim {
     }
 }
 
+/// The condition under which the test of a mean holds: none where range or variance are known.
+pub(super) fn condition(mean: &MeanClaim) -> &'static str {
+    let known = mean.binary || mean.range.is_some() || mean.variance.is_some();
+    if known { "" } else { "; their range is not known, so that its test holds if their tail is as it was seen" }
+}
+
 /// The sums of a column, with the shape of its tail if that was kept.
 #[must_use]
 pub fn power_sums(tallies: &Tallies, weights: FoldId<Weights>) -> PowerSums {
-    let (sums, tail) = (tallies.sums(weights).all, tallies.counts(weights));
-    PowerSums { shape: tail.as_ref().and_then(|tail| tail.shape(sums.n)), ..sums }
+    tallies.sums(weights).all.with_tail(tallies.counts(weights).as_ref())
 }
 
 /// The test of a mean, and why it could not be judged.
@@ -92,6 +98,9 @@ fn gate(
     let (expected, bound) = (claim.expected, interval.bound());
     if evidence.p.is_none() {
         let (reason, why) = hypothesis::undecided(sums, claim);
+        return Some((reason, format!("{name}: {why}")));
+    }
+    if let Some((reason, why)) = hypothesis::unseen_noise(sums, claim, interval.method) {
         return Some((reason, format!("{name}: {why}")));
     }
     let open = !(bound < expected) && interval.method != Method::Exact;

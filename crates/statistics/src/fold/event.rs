@@ -27,6 +27,13 @@ impl Event {
     }
 }
 
+/// The weights of the rows at which an event happens, 0 elsewhere.
+pub(super) fn mask(scratch: &mut Scratch, weights: &[f64], distances: &[f64], event: Event) {
+    let counts = |(&w, &t): (&f64, &f64)| if event.holds(t) || t.is_nan() { w } else { 0.0 };
+    scratch.masked.clear();
+    scratch.masked.extend(weights.iter().zip(distances).map(counts));
+}
+
 /// Power sums of a column of weights where an event happens, and 0 elsewhere.
 pub struct EventSums {
     /// The column of weights.
@@ -76,9 +83,7 @@ impl Fold for EventSums {
         tail: &mut Option<Tail>,
     ) -> Result<PowerSums, MissingColumn> {
         let (weights, distances) = (block.f64(&self.column)?, block.f64(self.distance)?);
-        let counts = |(&w, &t): (&f64, &f64)| if self.event.holds(t) || t.is_nan() { w } else { 0.0 };
-        scratch.masked.clear();
-        scratch.masked.extend(weights.iter().zip(distances).map(counts));
+        mask(scratch, weights, distances, self.event);
         if let Some(tail) = tail {
             tail.observe(&scratch.masked);
         }

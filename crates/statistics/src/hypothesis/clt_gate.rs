@@ -14,8 +14,8 @@ const LARGEST_VOV: f64 = 0.1;
 /// The reason why no interval that rests on the central limit theorem can be trusted, if one shows in the draws:
 ///
 /// - fewer than 100 draws differ from 0: `rare_event`;
-/// - the tail of |x|, if neither a range nor a formula says that there is a variance, has a Pareto shape of 1/2 or more, so that there is no variance
-///   (Vehtari et al. 2024): `heavy_tail`;
+/// - the tail of |x|, if neither a range nor a formula says that there is a variance, may have a Pareto shape of 1/2 or more, so that there is no variance
+///   (Vehtari et al. 2024), as its [bound](crate::tally::Tail::shape_bound) says: `heavy_tail`;
 /// - one draw carries more than 1/20 of the sum of |x|, or the variance of the variance is 0.1 or more: `heavy_tail`.
 ///
 /// Draws of known range have intervals that need none of this. Cost: none beyond the sums.
@@ -27,9 +27,9 @@ pub fn clt_gate(sums: &PowerSums) -> Option<(Reason, String)> {
         let why = format!("{hits} of {} draws differ from 0, {FEWEST_HITS} are needed", sums.n);
         return Some((Reason::RareEvent, why));
     }
-    if let Some(k) = sums.shape.filter(|k| !(*k < HEAVIEST_MEAN)) {
+    if let Some(k) = sums.shape_bound.filter(|k| !(*k < HEAVIEST_MEAN)) {
         return heavy(format!(
-            "the largest draws follow a Pareto law of shape {k:.2}: from 0.5 on there is no variance"
+            "the largest draws may follow a Pareto law of shape {k:.2}: from 0.5 on there is no variance"
         ));
     }
     let share = sums.largest_share();
@@ -51,14 +51,22 @@ pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (R
     let seen = error <= 0.05 * claim.expected.abs() && due <= 0.05 * claim.expected.abs(); // at least 400 draws' worth
     if !seen || sums.constant() {
         let largest = if due > error { due } else { error };
-        let why = format!("the standard error of the mean is {largest:.2e}, the mean {:.2e}", claim.expected);
+        let why = if sums.constant() && sums.n > 0 {
+            format!("all of {} draws are {:e}: nothing shows how far they scatter", sums.n, sums.greatest)
+        } else {
+            format!("the standard error of the mean is {largest:.2e}, the mean {:.2e}", claim.expected)
+        };
         return clt_gate(sums).filter(|d| d.0 == Reason::RareEvent).unwrap_or((Reason::RareEvent, why));
     }
     let known = claim.skewness.is_some_and(f64::is_finite);
     clt_gate(sums).unwrap_or_else(|| {
         let reason = if known { Reason::NotEnoughDraws } else { Reason::HeavyTail };
         let enough = 100.0 * skewness * skewness;
-        let why = format!("skewness {skewness:.3e} needs {enough:.1e} draws, not {n:.1e}, as no range is known");
+        let why = if skewness.is_finite() {
+            format!("skewness {skewness:.3e} needs {enough:.1e} draws, not {n:.1e}, as no range is known")
+        } else {
+            "the draws are so small that their cubes are 0, which leaves their skewness unknown".into()
+        };
         (reason, why)
     })
 }
@@ -73,8 +81,7 @@ mod tests {
     fn of(draws: &[f64]) -> Option<Reason> {
         let mut tail = Tail::default();
         tail.observe(draws);
-        let shape = tail.shape(draws.len() as u64);
-        clt_gate(&PowerSums { shape, ..PowerSums::of(1.0, draws) }).map(|gate| gate.0)
+        clt_gate(&PowerSums::of(1.0, draws).with_tail(Some(&tail))).map(|gate| gate.0)
     }
 
     fn drawn(n: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {

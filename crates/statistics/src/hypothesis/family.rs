@@ -20,6 +20,8 @@ pub fn family(name: &str) -> &str {
         name
     } else if name.starts_with("atom_") {
         "atom"
+    } else if name.starts_with("bounded_mean_") {
+        "bounded_mean"
     } else if name.starts_with("second_moment_") {
         "second_moment"
     } else if name.starts_with("scatter_") || name.starts_with("surface_") {

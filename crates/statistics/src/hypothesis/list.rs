@@ -1,8 +1,8 @@
 use super::record::Test;
 use super::{
-    agree, anderson_darling, atom, auxiliary, berk_jones, chi_square, coleman, cramer_von_mises, exposure, growth,
-    kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs, pdf_integral, poisson_count,
-    second_moment, series, ties,
+    agree, anderson_darling, atom, auxiliary, berk_jones, bounded_mean, chi_square, coleman, cramer_von_mises,
+    exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs, pdf_integral,
+    poisson_count, second_moment, series, ties,
 };
 
 /// Every test, in the order in which they are told.
@@ -28,6 +28,7 @@ pub const TESTS: &[Test] = &[
     series::TEST,
     auxiliary::TEST,
     mean::TEST,
+    bounded_mean::TEST,
     growth::TEST,
     second_moment::TEST,
     lookups::TEST,

@@ -1,3 +1,4 @@
+use super::tail::Tail;
 use freepath_draws::math;
 
 /// Sums of powers of x - center over draws, with the least and greatest draw.
@@ -25,6 +26,8 @@ pub struct PowerSums {
     pub non_finite: u64,
     /// Pareto shape of the largest |x|, where it was fitted ([`Tail::shape`](super::Tail::shape)); lost in a merge.
     pub shape: Option<f64>,
+    /// Upper bound of that shape ([`Tail::shape_bound`](super::Tail::shape_bound)); lost in a merge.
+    pub shape_bound: Option<f64>,
 }
 
 /// A variance whose 3/2 power is far from underflow.
@@ -35,8 +38,9 @@ impl PowerSums {
     #[must_use]
     pub fn new(center: f64) -> Self {
         let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        let (sums, absolute, shape) = ([0.0; 4], 0.0, None);
-        Self { center, n: 0, sums, absolute, least, greatest, zeros: 0, ones: 0, non_finite: 0, shape }
+        let (sums, absolute, shape, shape_bound) = ([0.0; 4], 0.0, None, None);
+        let (zeros, ones, non_finite) = (0, 0, 0);
+        Self { center, n: 0, sums, absolute, least, greatest, zeros, ones, non_finite, shape, shape_bound }
     }
 
     /// The sums of one column: always in the same order of additions.
@@ -85,13 +89,24 @@ impl PowerSums {
             *a += b;
         }
         self.absolute += next.absolute;
-        self.shape = None;
+        (self.shape, self.shape_bound) = (None, None);
         self.least = if next.least < self.least { next.least } else { self.least };
         self.greatest = if next.greatest > self.greatest { next.greatest } else { self.greatest };
         self.n += next.n;
         self.zeros += next.zeros;
         self.ones += next.ones;
         self.non_finite += next.non_finite;
+    }
+
+    /// The same with the shape of the tail, if that was kept.
+    #[must_use]
+    pub fn with_tail(self, tail: Option<&Tail>) -> Self {
+        let (n, tail) = (self.n, tail);
+        Self {
+            shape: tail.and_then(|tail| tail.shape(n)),
+            shape_bound: tail.and_then(|tail| tail.shape_bound(n)),
+            ..self
+        }
     }
 
     /// mean - center.

@@ -30,7 +30,7 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     let known = terms.stands(Withdrawal::Truth);
     let events = known.then(|| Events::tally(means(medium, &said, terms), &mut claims));
     if let Some(events) = &events {
-        events.finite(&mut claims);
+        events.finite(terms, &mut claims);
     }
     if source.is_external() {
         claims.push(EnoughRows);
@@ -103,7 +103,7 @@ fn survival(medium: &ChromaticMedium, mixture: Vec<f64>) -> impl Fn(f64) -> f64 
 /// scatter, surface, then bins of t.
 fn means(medium: &ChromaticMedium, said: &ChromaticClaims, terms: &Terms) -> Vec<EventMean> {
     let (channels, length) = (medium.channels(), medium.length());
-    (0..channels.len()).flat_map(|k| of_channel(k, &channels, length, said, terms.tolerance)).collect()
+    (0..channels.len()).flat_map(|k| of_channel(k, &channels, length, said, terms)).collect()
 }
 
 fn of_channel(
@@ -111,7 +111,7 @@ fn of_channel(
     channels: &[Channel],
     length: f64,
     said: &ChromaticClaims,
-    slack: f64,
+    terms: &Terms,
 ) -> Vec<EventMean> {
     let (mu, albedo) = (channels[k].extinction.mu(0.0), channels[k].albedo);
     let between = |a: f64, b: f64| albedo * (libm::exp(-mu * a) - libm::exp(-mu * b));
@@ -122,7 +122,7 @@ fn of_channel(
             channel: k,
             event,
             name,
-            mean: weights(expected, moments.filter(|_| said.moments_error <= MOST_LEFT), likely, slack),
+            mean: weights(expected, moments.filter(|_| said.moments_error <= MOST_LEFT), likely, terms.tolerance, terms.declared),
             moments,
             moments_error: said.moments_error,
             keeps_tail: moments.is_none() && (event == Event::Surface || said.scatter_moments.is_none()),

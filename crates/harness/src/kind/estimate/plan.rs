@@ -1,33 +1,52 @@
+use super::Estimate;
 use crate::experiment::{Plan, Terms};
+use crate::kind::Source;
 use crate::scene::Number;
 use freepath_draws::column::WEIGHT;
-use freepath_statistics::claim::{Claims, EnoughRows, Estimates, MeanAgreement, Spread, WeightClaim, bets};
-use freepath_statistics::fold::{CapitalSums, Weights};
+use freepath_results::Reason;
+use freepath_statistics::claim::{
+    BoundedMean, Claims, EnoughRows, Estimates, MeanAgreement, Moments, NoiseFree, Spread, WeightClaim, bets, bounds, portfolio,
+};
+use freepath_statistics::fold::{CapitalSums, WealthSums, Weights};
 use freepath_statistics::hypothesis::MeanClaim;
 
 /// Estimates are finite, in their range, and have the stated mean.
-pub(super) fn plan<'a>(number: &Number, external: bool, terms: &Terms) -> Plan<'a> {
-    let (mut claims, truth) = (Claims::default(), mean(number, terms));
+pub(super) fn plan<'a>(number: &Number, source: &Source<Estimate>, terms: &Terms) -> Plan<'a> {
+    let (mut claims, truth) = (Claims::default(), mean(number, source, terms));
     let keeps_tail = truth.range.is_none() && truth.variance.is_none();
     let weights = claims.folds.add(Weights { column: WEIGHT, center: truth.expected, keeps_tail });
-    claims.push(Estimates { column: WEIGHT, weights, range: truth.range });
-    if external {
+    let tolerance = terms.tolerance;
+    claims.push(Estimates { column: WEIGHT, weights, range: truth.range, tolerance });
+    if terms.declared.noise_free {
+        claims.push(NoiseFree { weights, rounding: 1e-9 * truth.expected.abs() + tolerance });
+    }
+    if source.is_external() {
         claims.push(EnoughRows);
     }
     claims.push(MeanAgreement { weights, spread: Spread { range: truth.range, binary: truth.binary } });
     let fold = |bets| CapitalSums { column: WEIGHT, bets };
     let capitals = bets(&truth, terms.bias_bound).map(|bets| claims.folds.add(fold(bets)));
     claims.push(WeightClaim { weights, truth, own: None, order: None, capitals });
+    if bounds(&truth) {
+        let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
+        let wealth = portfolio(&truth).map(|portfolio| claims.folds.add(fold(portfolio)));
+        let (name, sums, reason) = ("bounded_mean".to_string(), Moments::Column(weights), Reason::Biased);
+        claims.push(BoundedMean { name, sums, wealth, mean: truth, reason });
+    }
     Plan { claims, beside: Vec::new() }
 }
 
-fn mean(number: &Number, terms: &Terms) -> MeanClaim {
+fn mean(number: &Number, source: &Source<Estimate>, terms: &Terms) -> MeanClaim {
+    let variance = match source {
+        Source::Control => Some(0.0),
+        Source::Sampler(_) | Source::External(_) => terms.declared.variance(number.variance),
+    };
     MeanClaim {
         expected: number.value,
         slack: terms.tolerance,
         binary: false,
-        range: number.range.map(|[low, high]| (low, high)),
-        variance: number.variance,
+        range: terms.declared.range(number.range.map(|[low, high]| (low, high))),
+        variance,
         skewness: None,
     }
 }

@@ -54,6 +54,9 @@ impl SamplesSpec for FreePathSamples {
     fn format(&self) -> Option<Format> {
         self.format
     }
+    fn weighted(&self) -> bool {
+        self.weight.is_some()
+    }
     fn from_arguments(arguments: SampleArguments) -> Result<Self, &'static str> {
         let SampleArguments { file, column, weight, escape, format } = arguments;
         Ok(Self { file, column, weight, escape, format })

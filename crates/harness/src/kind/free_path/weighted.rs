@@ -15,7 +15,7 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     let known = terms.stands(Withdrawal::Truth);
     let events = known.then(|| Events::tally(means(ray, terms), &mut claims));
     if let Some(events) = &events {
-        events.finite(&mut claims);
+        events.finite(terms, &mut claims);
     }
     let escapes = Escaping { share: ray.transmittance(), remedy: escaping::of_file };
     Events::path(ray.truth.length(), escapes, &mut claims);
@@ -33,7 +33,7 @@ fn means(ray: Ray, terms: &Terms) -> Vec<EventMean> {
         channel: 0,
         event,
         name,
-        mean: weights(expected, None, None, slack),
+        mean: weights(expected, None, None, slack, terms.declared),
         moments: None,
         moments_error: 0.0,
         keeps_tail: true,

@@ -4,11 +4,12 @@ use crate::kind::{Ray, Source};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
 use freepath_estimators::claims::TransmittanceClaims;
+use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Bounded, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement, Moments,
-    OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets,
+    Bounded, BoundedMean, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement, Moments,
+    NoiseFree, OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets, bounds, portfolio,
 };
-use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, Weights};
+use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights};
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 
 /// The claims of the estimator: of a file nothing that is not true of any right estimator.
@@ -53,8 +54,8 @@ impl Mean {
             expected: transmittance,
             slack: terms.tolerance + transmittance * ray.truth.tau_error(),
             binary: claims.binary,
-            range: claims.range,
-            variance,
+            range: terms.declared.range(claims.range),
+            variance: terms.declared.variance(variance),
             skewness,
         };
         let own = |expected| MeanClaim { expected, slack: terms.tolerance + (1e-10 + claims.moments_error) * transmittance, ..truth };
@@ -113,7 +114,12 @@ impl<'b> Builder<'_, 'b> {
             self.claims.push(Bounded { lookups });
         }
         self.claims.push(InsideRay { lookups });
-        self.claims.push(Estimates { column: WEIGHT, weights, range: truth.range });
+        let tolerance = self.terms.tolerance;
+        self.claims.push(Estimates { column: WEIGHT, weights, range: truth.range, tolerance });
+        if self.terms.declared.noise_free {
+            let rounding = 1e-9 * truth.expected + tolerance;
+            self.claims.push(NoiseFree { weights, rounding });
+        }
         if external {
             self.claims.push(EnoughRows);
         }
@@ -134,12 +140,27 @@ impl<'b> Builder<'_, 'b> {
         if let Some(mean) = own {
             self.claims.push(OwnMean { weights, mean });
         }
+        self.bounded("bounded_mean", truth, Reason::Biased);
+        if let Some(mean) = own {
+            self.bounded("own_bounded_mean", mean, Reason::WrongLaw);
+        }
         if let Some([_, m2, _, m4, _, m6]) = moments {
             let (name, sums) = ("second_moment".to_string(), Moments::Column(weights));
             let error = self.said.moments_error;
             let moment = SecondMoment { moments: [m2, m4, m6], error, slack: truth.slack };
             self.claims.push(SecondMomentClaim { name, sums, moment });
         }
+    }
+
+    /// The mean by the range of the estimates, if they have one.
+    fn bounded(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
+        if !bounds(&mean) {
+            return;
+        }
+        let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
+        let wealth = portfolio(&mean).map(|portfolio| self.claims.folds.add(fold(portfolio)));
+        let (name, sums) = (name.to_string(), Moments::Column(self.weights));
+        self.claims.push(BoundedMean { name, sums, wealth, mean, reason });
     }
 
     /// Collisions and look-ups. One estimate at a time tells no collisions.

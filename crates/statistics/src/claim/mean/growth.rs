@@ -57,8 +57,11 @@ impl Sequence for Bias<'_> {
                 self.bounded(bernstein, tallies, &sums, looks, target)
             }
             (
-                method
-                @ (Method::StudentT | Method::SkewnessCorrected | Method::EmpiricalBernstein | Method::None),
+                method @ (Method::StudentT
+                | Method::SkewnessCorrected
+                | Method::EmpiricalBernstein
+                | Method::AllOnes
+                | Method::None),
                 _,
                 _,
             ) => {

@@ -11,11 +11,11 @@ pub(super) fn bias(sums: &PowerSums, claim: &MeanClaim) -> f64 {
 }
 
 /// The bias, brought towards 0 by the slack and by rounding.
-pub(super) fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
+pub(in crate::hypothesis) fn excess(sums: &PowerSums, claim: &MeanClaim) -> f64 {
     lessened(bias(sums, claim), slack(claim))
 }
 
 /// The slack of the claim, and that of rounding.
-pub(super) fn slack(claim: &MeanClaim) -> f64 {
+pub(in crate::hypothesis) fn slack(claim: &MeanClaim) -> f64 {
     claim.slack + ROUNDING * claim.expected.abs() + f64::MIN_POSITIVE
 }

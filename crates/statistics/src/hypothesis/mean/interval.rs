@@ -57,7 +57,9 @@ pub(super) fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method, leve
             let half = bernstein_width(sums, range, level);
             about(half, half + power)
         }
-        (Method::None, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY, f64::INFINITY),
+        (Method::None | Method::AllOnes, _) | (Method::EmpiricalBernstein, None) => {
+            about(f64::INFINITY, f64::INFINITY)
+        }
         (Method::StudentT, _) => about(z * error, z * (due / n).sqrt() + power),
         (Method::SkewnessCorrected, _) => {
             corrected_limits(sums, z, bias, about(z * error, z * (due / n).sqrt() + power))

@@ -1,0 +1,72 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+mod spelling;
+
+/// What the author of a subject knows of its draws, and it is then held to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Declared {
+    /// The least and greatest value of an estimate, or of a weight: then its mean has tests that hold for every law.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub range: Option<[f64; 2]>,
+    /// Estimates have no noise: every one is the mean itself.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub noise_free: bool,
+}
+
+impl Declared {
+    /// Refuses what no draws can be held to.
+    ///
+    /// # Errors
+    /// Naming what is wrong, and what is allowed.
+    pub fn check(&self) -> Result<(), String> {
+        match self.range {
+            Some([low, high]) if !(low < high && low.is_finite() && high.is_finite()) => {
+                Err(format!("the range must be two finite numbers, the least first, not {low} and {high}"))
+            }
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// What this and another declaration say, this one if both speak of the same.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self { range: self.range.or(other.range), noise_free: self.noise_free || other.noise_free }
+    }
+
+    /// The range of the draws where a formula may give one as well: what both allow.
+    #[must_use]
+    pub fn range(&self, known: Option<(f64, f64)>) -> Option<(f64, f64)> {
+        let declared = self.range.map(|[low, high]| (low, high));
+        match (declared, known) {
+            (Some((a, b)), Some((c, d))) => {
+                let (low, high) = (if a > c { a } else { c }, if b < d { b } else { d });
+                if low < high { Some((low, high)) } else { declared } // the draws will tell which of them is wrong
+            }
+            (Some(range), None) | (None, Some(range)) => Some(range),
+            (None, None) => None,
+        }
+    }
+
+    /// The variance of the draws where a formula may give one: 0 of what has no noise.
+    #[must_use]
+    pub fn variance(&self, known: Option<f64>) -> Option<f64> {
+        if self.noise_free { Some(0.0) } else { known }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_declared_and_what_is_known_hold_both() {
+        let declared = |low, high| Declared { range: Some([low, high]), noise_free: false };
+        assert_eq!(declared(0.2, 2.0).range(Some((0.0, 1.0))), Some((0.2, 1.0)));
+        assert_eq!(declared(2.0, 3.0).range(Some((0.0, 1.0))), Some((2.0, 3.0)));
+        assert_eq!(declared(2.0, 3.0).range(None), Some((2.0, 3.0)));
+        assert_eq!(Declared::default().range(Some((0.0, 1.0))), Some((0.0, 1.0)));
+        assert_eq!(Declared { range: None, noise_free: true }.variance(Some(0.1)), Some(0.0));
+    }
+}

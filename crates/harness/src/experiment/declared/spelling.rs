@@ -1,0 +1,49 @@
+//! The spelling of a declaration on a command line.
+
+use super::Declared;
+use std::fmt;
+use std::str::FromStr;
+
+/// The spellings that there are, for messages.
+const ALLOWED: &str = "range:LOW,HIGH with finite numbers LOW < HIGH, or noise_free";
+
+/// One declaration, as a command line has it.
+impl FromStr for Declared {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let none = Self::default();
+        if text == "noise_free" {
+            return Ok(Self { noise_free: true, ..none });
+        }
+        let range = text.strip_prefix("range:").and_then(|ends| ends.split_once(','));
+        let ends = range.and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
+        let declared = Self { range: ends, ..none };
+        if ends.is_some() && declared.check().is_ok() { Ok(declared) } else { Err(ALLOWED.into()) }
+    }
+}
+
+/// Every declaration, each as a command line has it.
+impl fmt::Display for Declared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let range = self.range.map(|[low, high]| format!("range:{low:e},{high:e}"));
+        let noise_free = self.noise_free.then(|| "noise_free".to_string());
+        let all: Vec<String> = range.into_iter().chain(noise_free).collect();
+        f.write_str(&all.join(" "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_declaration_is_read_as_it_is_written() {
+        for text in ["range:0e0,1e0", "range:-1.5e0,2e-3", "noise_free"] {
+            assert_eq!(text.parse::<Declared>().unwrap().to_string(), text);
+        }
+        for text in ["range:1,0", "range:0", "range:0,inf", "range:nan,1", "range", "noisy", ""] {
+            assert_eq!(text.parse::<Declared>().unwrap_err(), ALLOWED, "{text}");
+        }
+    }
+}
