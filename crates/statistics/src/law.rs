@@ -1,5 +1,7 @@
 //! The law of a free path: fine cells with fixed edges, their masses, and the escape atom.
 
+use crate::grain::Grain;
+
 /// Fewest fine cells; always an odd number, so that no midpoint of a step rule falls on an edge.
 const FEWEST_CELLS: usize = (1 << 14) + 1;
 /// Of an equal share, the least that a group holds: what chi-square expects of a cell relies on it.
@@ -16,6 +18,7 @@ pub struct Law {
     /// P(t > edge) at the edges of the cells: one more than cells, first 1, last the atom.
     survival: Vec<f64>,
     slack: f64,
+    grain: Grain,
 }
 
 /// Neighbouring fine cells taken together: cell `i` of the group holds the fine cells `bounds[i]..bounds[i + 1]`.
@@ -58,10 +61,16 @@ impl Law {
         Self { slack: self.slack + more, ..self }
     }
 
+    /// The same of numbers that come in steps.
+    #[must_use]
+    pub fn grained(self, grain: Grain) -> Self {
+        Self { grain, ..self }
+    }
+
     /// Another law on the same cells.
     #[must_use]
     pub fn with_survival(&self, slack: f64, survival: impl Fn(f64) -> f64) -> Self {
-        Self::tabulate(self.length, slack, self.cells(), &survival)
+        Self::tabulate(self.length, slack, self.cells(), &survival).grained(self.grain)
     }
 
     fn tabulate(length: f64, slack: f64, cells: usize, survival: &impl Fn(f64) -> f64) -> Self {
@@ -69,7 +78,7 @@ impl Law {
             if k == cells { length } else { length * k as f64 / cells as f64 }
         };
         let survival = (0..=cells).map(|k| survival(edge(k))).collect();
-        Self { length, scale: cells as f64 / length, survival, slack }
+        Self { length, scale: cells as f64 / length, survival, slack, grain: Grain::default() }
     }
 
     /// Length of the ray.
@@ -82,6 +91,28 @@ impl Law {
     #[must_use]
     pub fn slack(&self) -> f64 {
         self.slack
+    }
+
+    /// The steps of the numbers.
+    #[must_use]
+    pub fn grain(&self) -> Grain {
+        self.grain
+    }
+
+    /// The most by which the probability of an interval between `from` and `to` may be off: slack at both of its ends, the
+    /// steps of the uniforms, and the mass within half a step of the numbers at both.
+    #[must_use]
+    pub fn unknown_between(&self, from: f64, to: f64) -> f64 {
+        2.0 * self.slack + self.grain.uniform + self.blur(from) + self.blur(to)
+    }
+
+    /// The mass within half a step of the numbers at `t`, by the densest of the cells beside it.
+    fn blur(&self, t: f64) -> f64 {
+        let half = t * self.scale * self.grain.relative; // in cells
+        let (at, reach) = ((t * self.scale) as usize, 1 + half as usize);
+        let end = if at + reach < self.cells() { at + reach } else { self.cells() };
+        let masses = (at.saturating_sub(reach)..end).map(|k| self.mass(k));
+        half * masses.fold(0.0, |a, b| if b <= a { a } else { b }) + self.grain.mass
     }
 
     /// Number of fine cells.

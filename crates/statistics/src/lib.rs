@@ -7,6 +7,7 @@ pub mod claim;
 pub mod decide;
 mod evidence;
 pub mod fold;
+mod grain;
 pub mod hypothesis;
 mod judged;
 mod larger;
@@ -17,6 +18,7 @@ pub mod tally;
 
 pub use block::{Block, CellIndex, Scratch};
 pub use evidence::{Alone, Evidence, Fact, Null, NullClass, POWER, REPORTING_LEVEL, holm};
+pub use grain::Grain;
 pub use judged::Judged;
 pub use larger::larger;
 pub use law::{Groups, Law};

@@ -33,7 +33,7 @@ pub use anderson_darling::anderson_darling_sf;
 pub use berk_jones::{berk_jones_bound, berk_jones_sf};
 pub use beta_binomial::ln_beta_binomial_ratio;
 pub use binomial::{binomial_cdf, binomial_sf, binomial_two_sided};
-pub use chi_square::chi_square_sf;
+pub use chi_square::{chi_square_cdf, chi_square_sf};
 pub use clopper_pearson::clopper_pearson;
 pub use cramer_von_mises::{cramer_von_mises_limit_sf, cramer_von_mises_sf};
 pub use hypergeometric::hypergeometric_two_sided;

@@ -54,6 +54,27 @@ impl FreePathSampler for Resumed {
     }
 }
 
+/// One draw in each of equal strata of a block, in random order.
+pub(crate) struct Stratified;
+
+impl FreePathSampler for Stratified {
+    fn sample(&self, medium: &dyn Extinction, rng: &mut dyn Rng) -> FreePath {
+        in_part(medium, rng)
+    }
+    fn sample_block(&self, _medium: &dyn Extinction, streams: &Streams, out: &mut Draws) {
+        let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+        let rows = columns.rows();
+        let mut strata: Vec<usize> = (0..rows).collect();
+        for row in (1..rows).rev() {
+            strata.swap(row, (uniform(&mut rng) * (row + 1) as f64) as usize);
+        }
+        for (row, stratum) in strata.into_iter().enumerate() {
+            let u = (stratum as f64 + uniform(&mut rng)) / rows as f64;
+            columns.put(row, path(-libm::log1p(-u) / MU).t, 1.0, 0);
+        }
+    }
+}
+
 /// Gives an auxiliary number with each draw.
 pub(crate) struct WithAuxiliary(pub(crate) fn(f64, f64) -> f64);
 

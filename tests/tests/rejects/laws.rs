@@ -1,5 +1,6 @@
 //! Distances of a wrong law.
 
+use crate::joint::Stratified;
 use crate::path::{Draw, MU, collided, escape, of_path, path, right, sampler};
 use freepath_draws::random::uniform;
 use freepath_estimators::FreePath;
@@ -31,6 +32,15 @@ pub(crate) fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         path(-libm::log1p(-bent * (1.0 - 1e-12)) / MU)
     });
     let hot = law(|_, rng| path(if uniform(rng) < 3e-4 { 1e-6 * uniform(rng) } else { right(rng) }));
+    let gap = law(|_, rng| {
+        let t = right(rng);
+        path(if (0.8..0.8008).contains(&t) { t + 0.7 } else { t })
+    });
+    let late = law(|_, rng| {
+        let t = right(rng);
+        path(if t < 2e-4 { t + 2e-4 } else { t })
+    });
+    let even = of_path(&Stratified, few);
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
         ("atom", Reason::WrongLaw, atom),
@@ -44,6 +54,10 @@ pub(crate) fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         ("berk_jones", Reason::WrongLaw, hot),
         ("exposure", Reason::WrongLaw, thicker),
         ("neyman_16", Reason::WrongLaw, wave),
+        ("whole_law", Reason::WrongLaw, thin()),
+        ("scan", Reason::WrongLaw, gap),
+        ("breaks", Reason::WrongLaw, late),
+        ("too_even", Reason::Dependent, even),
         ("ties", Reason::Dependent, repeated),
     ]
 }

@@ -76,7 +76,7 @@ impl Claim for LawClaim {
     }
 }
 
-/// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
+/// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores, windows.
 pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason, into: &mut Judged) {
     let n = cells.draws();
     let fine = fine_cells(n);
@@ -91,6 +91,8 @@ pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason
         hypothesis::kuiper(law, cells, reason),
         hypothesis::exposure(law, cells, reason),
         hypothesis::neyman(law, cells, reason),
+        hypothesis::whole_law(law, cells, reason),
+        hypothesis::scan(law, cells, reason),
     ];
     into.evidence.extend(all.into_iter().map(|evidence| prefixed(prefix, evidence)));
 }

@@ -71,6 +71,7 @@ impl Claim for JointRanks {
             let evidence = hypothesis::chi_square(name, &self.law, cells, wanted, self.reason);
             into.evidence.push(prefixed("joint_", evidence));
         }
+        into.evidence.push(prefixed("joint_", hypothesis::scan(&self.law, cells, self.reason)));
     }
 }
 

@@ -14,7 +14,7 @@ uniform and independent of the distance: a table of 16 x 16 groups.",
 ```text
 X = sum (O_ab - R_a / 16)^2 / (R_a / 16),   dof = 15 rows,   R_a draws in group a of the distance
 ```
-Gate:    groups of the distance are joined until each cell expects 50 draws, or more if there are few.
+Gate:    groups of the distance are joined until each cell expects 100 draws, or more if there are few.
 Rejects: as dependent: a direction and a flight from one random number, each right by itself.",
     nulls: &[NullClass::Uniform],
     alone: Alone::No,
@@ -28,11 +28,11 @@ Rejects: as dependent: a direction and a flight from one random number, each rig
 /// ```
 ///
 /// R_a is as it was drawn, so that a wrong law is not called dependent. Neighbouring groups of the distance are joined until
-/// each cell expects 50, or 800 over the cells.
+/// each cell expects 100, or 800 over the cells.
 #[must_use]
 pub fn auxiliary(tally: &AuxiliaryTally) -> Evidence {
     let columns = tally.counts[0].len();
-    let tables = [50.0, 100.0, 200.0].map(|least| joined(tally, least * columns as f64));
+    let tables = [100.0, 200.0].map(|least| joined(tally, least * columns as f64));
     let enough = |rows: &Vec<Vec<u64>>| {
         let share = |row: &Vec<u64>| row.iter().sum::<u64>() as f64 / columns as f64;
         !rows.is_empty() && rows.iter().all(|row| share(row) >= least_expected(rows.len() * columns))

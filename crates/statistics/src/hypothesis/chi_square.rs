@@ -17,7 +17,7 @@ const fn of(name: &'static str) -> Test {
 ```text
 X = sum (O - E)^2 / E,   E = n p,   p = Q((cells - 1) / 2, X / 2)
 ```
-Gate:    every cell expects 50 draws, or 800 over the cells if there are fewer than 16; else fewer cells.
+Gate:    every cell expects 100 draws, or 800 over the cells if there are fewer than 8; else fewer cells.
 Rejects: as wrong_law; as biased against the truth of a method that is biased by design.
 Alone:   where every cell expects 500 draws, or 8000 over the cells if there are fewer than 16.
 Sees:    16 cells broad errors, 64 and 2 n^0.4 cells an error in one voxel.
@@ -28,11 +28,17 @@ Source:  Pearson (1900).",
     }
 }
 
-/// Least expectation of each of so many cells. Below it the chi-square tail is not trusted: with 16 cells of 50 p-values of 1e-6
-/// come 1.3 to 1.5 times too often, with 2 cells of 50 more than 4 times, since the skewness of a single cell shows.
+/// Least expectation of each of so many cells. Below it the chi-square tail is not trusted: with 17 cells of 50 p-values of 1e-7
+/// come 1.4 times too often, of 100 1.2 times, by enumeration; with 2 cells of 50 more than 4 times, since the skewness of a single
+/// cell shows.
 #[must_use]
 pub fn least_expected(cells: usize) -> f64 {
-    if cells < 16 { 800.0 / cells as f64 } else { 50.0 }
+    if cells < 8 { 800.0 / cells as f64 } else { 100.0 }
+}
+
+/// Least expectation of each of so many cells where the test may reject alone: p-values of 1e-9 come 1.13 times too often there.
+fn least_alone(cells: usize) -> f64 {
+    if cells < 16 { 8000.0 / cells as f64 } else { 500.0 }
 }
 
 /// Pearson's chi-square over about `wanted` equiprobable cells and the escape cell.
@@ -41,7 +47,7 @@ pub fn least_expected(cells: usize) -> f64 {
 /// X = sum (O - E)^2 / E,   E = n p,   dof = cells - 1
 /// ```
 ///
-/// Fewer cells are used where the expectation would fall below 50, or 800 over the cells; an escape cell that expects fewer
+/// Fewer cells are used where the expectation would fall below 100, or 800 over the cells; an escape cell that expects fewer
 /// joins the last.
 /// Each |O - E| is lessened by 2 n times the law's slack: a cell has two edges.
 #[must_use]
@@ -57,20 +63,35 @@ pub fn chi_square(name: &str, law: &Law, tally: &CellTally, wanted: usize, reaso
     if may_reject_alone(n, &groups, escape.then(|| law.atom())) { evidence.alone() } else { evidence }
 }
 
-/// True if every cell expects ten times what a p-value needs, 500 of 16 cells or more: the tail was measured to 1e-9 there, where
-/// p-values come 1.13 times too often, and 1.9 times at a tenth of it.
+/// True if every cell expects so many draws that the tail is known to 1e-9.
 fn may_reject_alone(n: f64, groups: &Groups, escape: Option<f64>) -> bool {
     let mut all = groups.mass.iter().copied().chain(escape);
-    let least = 10.0 * least_expected(groups.mass.len() + usize::from(escape.is_some()));
+    let least = least_alone(groups.mass.len() + usize::from(escape.is_some()));
     all.all(|mass| n * mass >= least)
+}
+
+/// The cells that are asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Demand {
+    /// Most groups, beside the escape cell.
+    pub(super) wanted: usize,
+    /// Least expectation of each of so many cells.
+    pub(super) least: fn(usize) -> f64,
+    /// The most by which the law may be off.
+    pub(super) slack: f64,
 }
 
 /// The groups, (O - E) / sqrt(E) of each and then of the escape cell, and whether there is one; nothing if fewer than two
 /// cells are left.
 #[must_use]
 pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups, Vec<f64>, bool)> {
+    standardised(law, tally, Demand { wanted, least: least_expected, slack: law.slack() })
+}
+
+/// [`residuals`] of other cells, or with another slack than that of the law.
+pub(super) fn standardised(law: &Law, tally: &CellTally, demand: Demand) -> Option<(Groups, Vec<f64>, bool)> {
     let n = tally.draws() as f64;
-    let (cells, escape) = affordable(n * law.collided(), n * law.atom(), wanted)?;
+    let (cells, escape) = affordable(n * law.collided(), n * law.atom(), demand)?;
     let groups = law.groups(cells);
     let mut observed = groups.gather(&tally.cells);
     let mut mass = groups.mass.clone();
@@ -81,7 +102,7 @@ pub fn residuals(law: &Law, tally: &CellTally, wanted: usize) -> Option<(Groups,
         *o += tally.escapes;
         *m += law.atom();
     }
-    let residual = observed.iter().zip(&mass).map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * law.slack()));
+    let residual = observed.iter().zip(&mass).map(|(&o, &p)| residual(o as f64, n * p, 2.0 * n * demand.slack));
     let residual = residual.collect();
     Some((groups, residual, escape))
 }
@@ -100,14 +121,14 @@ pub fn detectable_cell(law: &Law, tally: &CellTally, level: f64) -> Option<f64> 
     Some((noncentrality * (1.0 - lightest) / (n * lightest)).sqrt())
 }
 
-/// At most `wanted` cells for so many collisions, and whether so many escapes make one of their own.
-fn affordable(collisions: f64, escapes: f64, wanted: usize) -> Option<(usize, bool)> {
+/// At most the wanted cells for so many collisions, and whether so many escapes make one of their own.
+fn affordable(collisions: f64, escapes: f64, demand: Demand) -> Option<(usize, bool)> {
     let enough = |&(cells, escape): &(usize, bool)| {
         let total = cells + usize::from(escape);
-        total >= 2 && LEAST_SHARE * collisions / cells as f64 >= least_expected(total)
+        total >= 2 && LEAST_SHARE * collisions / cells as f64 >= (demand.least)(total)
     };
-    let with_escape = |cells| (cells, escapes >= least_expected(cells + 1));
-    (1..=wanted).rev().map(with_escape).find(enough)
+    let with_escape = |cells| (cells, escapes >= (demand.least)(cells + 1));
+    (1..=demand.wanted).rev().map(with_escape).find(enough)
 }
 
 /// (O - E) / sqrt(E), with |O - E| lessened by `slack`.

@@ -15,7 +15,7 @@ wrong majorant that leaves the distance right still shows here.",
 nulls | collision at z ~ Poisson(A(z)),   nulls | escape ~ Poisson(A(length)),   A(z) = int_0^z (mu_bar - mu)
 ```
 Chi-square over (collisions, group of t).
-Gate:    neighbouring cells are pooled until each expects 50 draws, or more if there are few.
+Gate:    neighbouring cells are pooled until each expects 100 draws, or more if there are few.
 Rejects: as wrong_law: a wrong majorant under a right law, skipped look-ups.
 Source:  Coleman (1968).",
     nulls: &[NullClass::Uniform],
@@ -30,7 +30,7 @@ Source:  Coleman (1968).",
 /// A(z) = int_0^z (mu_bar - mu)
 /// ```
 ///
-/// `null_depth` is A. Chi-square over (collisions, group of t or escape) with each cell expecting 50 draws or more; under a
+/// `null_depth` is A. Chi-square over (collisions, group of t or escape) with each cell expecting 100 draws or more; under a
 /// majorant that mu meets everywhere, where A is 0, one null collision is enough.
 #[must_use]
 pub fn coleman(law: &Law, tally: &CountTally, null_depth: impl Fn(f64) -> f64, reason: Reason) -> Evidence {

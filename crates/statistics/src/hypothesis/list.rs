@@ -1,8 +1,8 @@
 use super::record::Test;
 use super::{
-    agree, anderson_darling, atom, auxiliary, berk_jones, bounded_mean, chi_square, coleman, cramer_von_mises,
+    agree, anderson_darling, atom, auxiliary, berk_jones, bounded_mean, breaks, chi_square, coleman, cramer_von_mises,
     exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs, pdf_integral,
-    poisson_count, second_moment, series, ties,
+    poisson_count, scan, second_moment, series, ties, too_even, whole_law,
 };
 
 /// Every test, in the order in which they are told.
@@ -17,6 +17,10 @@ pub const TESTS: &[Test] = &[
     anderson_darling::TEST,
     cramer_von_mises::TEST,
     kuiper::TEST,
+    whole_law::TEST,
+    scan::TEST,
+    breaks::TEST,
+    too_even::TEST,
     berk_jones::TEST,
     coleman::TEST,
     poisson_count::TEST,

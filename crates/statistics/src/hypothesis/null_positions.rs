@@ -14,7 +14,7 @@ group of distances, each was to be accepted with probability mu / mu_bar at that
 ```text
 X = sum_j (m_j - sum p_i)^2 / sum p_i (1 - p_i),   p_i = mu(t_i) / mu_bar(t_i) at look-up i in group j
 ```
-Gate:    neighbouring groups are joined until the variance of each is 50, or 800 over their number.
+Gate:    neighbouring groups are joined until the variance of each is 200, or 1600 over their number.
 Rejects: as wrong_law: an acceptance that does not use mu / mu_bar at the very place of the look-up.
 Source:  each acceptance is a coin of known probability, whatever came before: a martingale.",
     nulls: &[NullClass::Uniform],
@@ -30,13 +30,13 @@ Source:  each acceptance is a coin of known probability, whatever came before: a
 ///
 /// m_j draws collided in group j. Each acceptance is a coin of known p whatever came before, so that m_j - sum p_i is a
 /// martingale, of mean 0 and with the given variance, and those of two groups do not correlate: nothing is averaged over a
-/// cell, and there is no slack. Groups are joined until the variance is 100, or 1600 over their number: twice what
+/// cell, and there is no slack. Groups are joined until the variance is 200, or 1600 over their number: twice what
 /// [`least_expected`] asks of cells whose counts have a fixed sum, since without one 16 groups of 50 give p-values of 1e-7 2.8 times
 /// too often. It does not ask how the
 /// look-ups are spread, which [`coleman`](super::coleman()) and the law do.
 #[must_use]
 pub fn null_positions(tally: &NullTally) -> Evidence {
-    let tables = [100.0, 200.0, 400.0, 800.0, 1600.0].map(|least| joined(tally, least));
+    let tables = [200.0, 400.0, 800.0, 1600.0].map(|least| joined(tally, least));
     let enough = |table: &Vec<Group>| {
         !table.is_empty() && table.iter().all(|group| group.variance >= 2.0 * least_expected(table.len()))
     };

@@ -13,7 +13,7 @@ columns are independent. It sees dependence that leaves no correlation, such as 
 ```text
 X = sum (O_ab - R_a C_b / N)^2 / (R_a C_b / N),   dof = (k - 1)^2,   R, C the sums of rows and columns
 ```
-Gate:    neighbouring groups are joined until each cell expects 50 pairs, or more if there are few.
+Gate:    neighbouring groups are joined until each cell expects 100 pairs, or more if there are few.
 Rejects: as dependent: dependence that leaves no correlation, such as a reused uniform that was folded.
 Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep the chi-square law.",
     nulls: &[NullClass::Uniform],
@@ -30,15 +30,15 @@ Source:  Bartlett (1951), Anderson and Goodman (1957): overlapping pairs keep th
 /// R and C are the sums of rows and columns, so that a wrong law is not called dependent. Overlapping pairs depend on one
 /// another, but their interactions with both margins taken out do not correlate: this is the test of order 0 against order 1
 /// of a chain (Bartlett 1951; Anderson and Goodman 1957), what Good's serial statistic psi^2_2 - psi^2_1 (1953) becomes when
-/// the margins are not given. Neighbouring groups are joined until every cell expects 50, or 200 where there are fewer than 16 groups: a choice by margins alone, given
+/// the margins are not given. Neighbouring groups are joined until every cell expects 100, or 200 where there are fewer than 16 groups: a choice by margins alone, given
 /// which the test is made.
 #[must_use]
 pub fn pairs(tally: &LagTally) -> Evidence {
     let name = TEST.name;
     let total: u64 = tally.neighbours.as_flattened().iter().sum();
-    let tables = [50.0, 100.0, 200.0, 400.0].map(|least| joined(tally, (least * total as f64).sqrt()));
+    let tables = [100.0, 200.0, 400.0].map(|least| joined(tally, (least * total as f64).sqrt()));
     let enough = |table: &Vec<Vec<f64>>| {
-        let (k, least) = (table.len(), if table.len() < RANK_GROUPS { 200.0 } else { 50.0 });
+        let (k, least) = (table.len(), if table.len() < RANK_GROUPS { 200.0 } else { 100.0 });
         let expected = margins(table).0.into_iter().fold(f64::INFINITY, |a, b| if b < a { b } else { a });
         k >= 2 && total > 0 && expected * expected >= least * total as f64
     };

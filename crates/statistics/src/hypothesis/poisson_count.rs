@@ -14,7 +14,7 @@ chi-square over the counts.",
 ```text
 P(N = n) = L^n exp(-L) / n!,   L = int mu_bar
 ```
-Gate:    neighbouring counts are pooled until each expects 50 draws, or more if there are few.
+Gate:    neighbouring counts are pooled until each expects 100 draws, or more if there are few.
 Rejects: as wrong_cost: a walk under another majorant, or one that stops early.
 Source:  Pearson (1900) for the statistic.",
     nulls: &[NullClass::Uniform],
@@ -50,7 +50,7 @@ pub(super) fn pooled(name: &str, observed: &[u64], mass: &[f64], slack: f64, rea
     if mass.iter().sum::<f64>().is_nan() {
         return Evidence::new(name, f64::NAN, None, f64::NAN, reason);
     }
-    let tables = [50.0, 100.0, 200.0, 400.0].map(|least| pool(observed, mass, n as f64, least));
+    let tables = [100.0, 200.0, 400.0].map(|least| pool(observed, mass, n as f64, least));
     let enough = |cells: &Vec<(u64, f64)>| {
         let least = least_expected(cells.len());
         cells.len() >= 2 && cells.iter().all(|cell| cell.1 >= least)

@@ -10,13 +10,13 @@ use freepath_estimators::medium::ChromaticMedium;
 use freepath_estimators::ChromaticSampler;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    BerkJonesClaim, Claims, EnoughRows, Escaping, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim, Written,
+    BerkJonesClaim, BreaksClaim, Claims, EnoughRows, Escaping, Evenness, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim, Written,
     Withdrawal,
 };
-use freepath_statistics::fold::{Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
+use freepath_statistics::fold::{Breaks, Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
 use freepath_statistics::hypothesis::{PdfMass, pair_probability};
-use freepath_statistics::Law;
-use freepath_statistics::tally::Scores;
+use freepath_statistics::{Grain, Law};
+use freepath_statistics::tally::{Flanks, Scores};
 use std::sync::Arc;
 
 /// The most that quadrature may leave of the moments, relative to each, for a variance by formula to be one.
@@ -64,7 +64,7 @@ fn mass(sampler: &dyn ChromaticSampler, medium: &ChromaticMedium) -> Option<PdfM
 /// The mixture that the distance follows, whatever its weights.
 fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: &mut Claims<'a>) {
     let survival = survival(medium, mixture.to_vec());
-    let law = Arc::new(Law::new(medium.length(), terms.tolerance, &survival));
+    let law = Arc::new(Law::new(medium.length(), terms.tolerance, &survival).grained(Grain::of_bits(terms.bits)));
     let (length, known, reason) = (medium.length(), terms.stands(Withdrawal::Truth), Reason::WrongLaw);
     let index = claims.folds.cell_index();
     let cells = claims.folds.add(Cells { values: Values::Column(T), law: law.clone(), index });
@@ -74,6 +74,10 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
     if known {
         let (breaks, own, order, grows) = (Vec::new(), None, None, false);
         claims.push(LawClaim { law: law.clone(), cells, reason, own, breaks, order, grows });
+        if let Some(flanks) = Flanks::new(&law, &survival, &[]).map(Arc::new) {
+            let near = claims.folds.add(Breaks { column: T, flanks: flanks.clone(), index });
+            claims.push(BreaksClaim { prefix: "", flanks, near, cells, reason });
+        }
         let ends = claims.folds.add(Ends { column: T, length });
         let (law, survival, bits) = (law.clone(), Box::new(survival), terms.bits);
         claims.push(BerkJonesClaim { prefix: "", law, survival, cells, ends, bits, reason });
@@ -92,6 +96,7 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
         claims.push(TiesClaim { pair, ties, cells, written: Written::Here });
     }
     claims.push(Order { scores, lags, cells });
+    claims.push(Evenness { prefix: "", law, cells });
 }
 
 fn survival(medium: &ChromaticMedium, mixture: Vec<f64>) -> impl Fn(f64) -> f64 + Send + Sync + use<> {

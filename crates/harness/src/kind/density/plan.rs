@@ -1,9 +1,9 @@
 use crate::experiment::{Plan, Terms};
 use freepath_estimators::density::{Target, X};
 use freepath_results::Reason;
-use freepath_statistics::Law;
+use freepath_statistics::{Grain, Law};
 use freepath_statistics::claim::{
-    AtomsClaim, Claims, Domain, EnoughRows, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
+    AtomsClaim, Claims, Domain, EnoughRows, Evenness, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
 };
 use freepath_statistics::fold::{Cells, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
@@ -44,6 +44,7 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
         let lags = claims.folds.add(Lags { scores: scores.clone(), index });
         if terms.stands(Withdrawal::Truth) {
             claims.push(Order { scores, lags, cells });
+            claims.push(Evenness { prefix: "", law, cells });
         } else {
             claims.push(ObservedOrder { scores, lags, cells });
         }
@@ -55,7 +56,8 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
 fn ranks(target: &Target, terms: &Terms) -> Law {
     let share = 1.0 - target.atom_mass();
     let survival = move |rank: f64| if rank < 1.0 { 1.0 - share * rank } else { 1.0 - share };
-    Law::new(1.0, terms.tolerance + target.error(), survival)
+    let rounding = target.steepness() * libm::ldexp(1.0, -(terms.bits as i32));
+    Law::new(1.0, terms.tolerance + target.error(), survival).grained(Grain::of_ranks(terms.bits, rounding))
 }
 
 /// The share of the continuous part at or below a number; infinity for an atom, -1 for a number without mass.

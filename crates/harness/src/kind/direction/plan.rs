@@ -4,19 +4,20 @@ use crate::kind::{Direction, Source};
 use freepath_estimators::direction::{Directions, Ranks};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Claims, Domain, EnoughRows, JointRanks, LawAgreement, LawClaim, ObservedOrder, Order, PdfIntegral, SecondRank,
+    Claims, Domain, EnoughRows, Evenness, JointRanks, LawAgreement, LawClaim, ObservedOrder, Order, PdfIntegral, SecondRank,
     Withdrawal, joint_rank,
 };
 use freepath_statistics::fold::{Cells, FoldId, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
-use freepath_statistics::{CellIndex, Law};
+use freepath_statistics::{CellIndex, Grain, Law};
 use std::sync::Arc;
 
 /// Directions are unit vectors of the support, their two ranks are uniform on the square, and the density that a sampler tells of any
 /// direction integrates to 1.
 pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction>, terms: &Terms) -> Plan<'a> {
     let (mut claims, reason) = (Claims::default(), Reason::WrongLaw);
-    let law = Arc::new(Law::new(1.0, truth.slack(terms.tolerance), |rank| 1.0 - rank));
+    let grain = Grain::of_ranks(terms.bits, truth.slack(libm::ldexp(1.0, -(terms.bits as i32))));
+    let law = Arc::new(Law::new(1.0, truth.slack(terms.tolerance), |rank| 1.0 - rank).grained(grain));
     let inside = inside(truth, terms.tolerance);
     let ranked = |of, claims: &mut Claims| Ranked::add(&law, rank(truth, &inside, of), claims);
     let places = Places { columns: COLUMNS, inside: inside.clone(), atoms: Vec::new() };
@@ -35,7 +36,12 @@ pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction
     if let Some(sampler) = source.sampler() {
         claims.push(PdfIntegral { mass: pdf::mass(sampler, truth), over: "the sphere" });
     }
+    let (first, second) = (angle.cells, azimuth.cells);
     order(&law, [angle, azimuth], terms, &mut claims);
+    let even = |prefix, cells| Evenness { prefix, law: law.clone(), cells };
+    claims.push(even("", first));
+    claims.push(SecondRank(even("", second)));
+    claims.push(even("joint_", joint.cells));
     Plan { claims, beside: Vec::new() }
 }
 

@@ -7,18 +7,20 @@ use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
 use freepath_results::Reason;
 use freepath_statistics::CellIndex;
-use freepath_statistics::Law;
+use freepath_statistics::{Grain, Law};
 use freepath_statistics::claim::{
-    AuxiliaryClaim, BerkJonesClaim, Bounded, Claims, ColemanClaim, EnoughRows, Escaping, InsideRay, LawAgreement, LawClaim,
+    AuxiliaryClaim, Bounded, Claims, ColemanClaim, EnoughRows, Escaping, Evenness, InsideRay, LawAgreement, LawClaim,
     LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim, UnitWeightClaim,
     Vacuum, Withdrawal, Written,
 };
 use freepath_statistics::fold::{
-    Auxiliary, Cells, Collisions, Ends, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties, UnitWeight, Values,
+    Auxiliary, Cells, Collisions, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties, UnitWeight, Values,
 };
 use freepath_statistics::hypothesis::{Cost, pair_probability};
 use freepath_statistics::tally::Scores;
 use std::sync::Arc;
+
+mod within_cells;
 
 /// Sets the streams of a ray in two parts apart from those of the whole.
 const IN_PARTS: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -34,6 +36,7 @@ impl Laws {
     pub(super) fn of(ray: Ray, source: &Source<FreePathKind>, terms: &Terms) -> Self {
         let truth = ray.truth;
         let law = Law::new(truth.length(), terms.tolerance + truth.tau_error(), |t| libm::exp(-truth.tau(t)));
+        let law = law.grained(Grain::of_bits(terms.bits));
         let law = if source.is_external() {
             let rounding = terms.tolerance * law.steepness(); // each t may be off by that share of it
             law.loosened(rounding)
@@ -46,7 +49,7 @@ impl Laws {
     }
 
     /// The law that the draws should follow.
-    fn followed(&self) -> &Law {
+    fn followed(&self) -> &Arc<Law> {
         self.own.as_ref().unwrap_or(&self.truth)
     }
 }
@@ -147,27 +150,12 @@ impl<'a, 'b> Builder<'a, 'b> {
         if let Some(law) = own.clone() {
             self.claims.push(OwnLaw { law, cells });
         }
-        self.berk_jones();
+        self.within_cells();
         if self.laws.own.is_none() {
             let (law, medium) = (self.laws.truth.clone(), self.ray.truth);
             let empty = Box::new(move |from, to| medium.extrema(from, to).1 <= 0.0);
             self.claims.push(Vacuum { law, empty, cells });
         }
-    }
-
-    /// Not of an own law with atoms.
-    fn berk_jones(&mut self) {
-        let ends = self.claims.folds.add(Ends { column: T, length: self.ray.truth.length() });
-        let (cells, bits, medium) = (self.cells, self.terms.bits, self.ray.truth);
-        if let (Some(law), Some(survival), true) =
-            (self.laws.own.clone(), self.said.own_law.take(), self.said.continuous)
-        {
-            let reason = Reason::WrongLaw;
-            self.claims.push(BerkJonesClaim { prefix: "own_", law, survival, cells, ends, bits, reason });
-        }
-        let (law, reason) = (self.laws.truth.clone(), self.reason);
-        let survival = Box::new(move |t| libm::exp(-medium.tau(t)));
-        self.claims.push(BerkJonesClaim { prefix: "", law, survival, cells, ends, bits, reason });
     }
 
     /// Tentative collisions with the distance.
@@ -208,6 +196,7 @@ impl<'a, 'b> Builder<'a, 'b> {
             self.claims.push(TiesClaim { pair, ties, cells, written });
         }
         self.claims.push(Order { scores, lags, cells });
+        self.claims.push(Evenness { prefix: "", law: self.laws.followed().clone(), cells });
     }
 
     /// Claims on the places of tentative collisions, and on the ray in two parts.
