@@ -7,6 +7,7 @@ pub(super) mod cold_start;
 pub(super) mod compensated_roulette;
 pub(super) mod completion_order;
 pub(super) mod duplicated_draws;
+pub(super) mod hot_spot;
 pub(super) mod leaked_record;
 pub(super) mod nan_draw;
 pub(super) mod same_seed;

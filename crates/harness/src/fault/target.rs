@@ -116,6 +116,21 @@ impl Target<'_> {
         }
     }
 
+    /// Refuses a medium without faces.
+    pub(super) fn has_faces(&self) -> Result<(), String> {
+        if self.medium.is_some_and(|medium| !medium.breaks().is_empty()) {
+            Ok(())
+        } else {
+            Err("it needs a medium with faces, such as piecewise_constant".into())
+        }
+    }
+
+    /// Refuses estimates, which are no distances.
+    pub(super) fn draws_distances(&self) -> Result<(), String> {
+        let why = || format!("it is laid over distances, and {} makes none here", self.sampler);
+        if self.estimates { Err(why()) } else { self.crosses_a_medium() }
+    }
+
     /// Refuses a channel that is not there.
     pub(super) fn has_channel(&self, channel: usize) -> Result<(), String> {
         match self.mixture.as_ref().map(|mixture| mixture.channels().len()) {

@@ -2,6 +2,7 @@
 
 use super::Layer;
 
+pub(super) mod face_offset;
 pub(super) mod killing_ratio;
 pub(super) mod leftover_depth;
 pub(super) mod local_step;
