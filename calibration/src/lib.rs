@@ -3,6 +3,7 @@
 //! Each program in `src/bin/` prints a table that stands in `docs/` or in the source of a test, and says how to make it again.
 
 pub mod direction;
+pub mod enumeration;
 pub mod finite;
 pub mod multinomial;
 pub mod tail;

@@ -14,6 +14,7 @@ use std::sync::atomic::AtomicBool;
 use agree::Settings;
 
 mod agree;
+mod detectable;
 mod efficiency;
 mod expect;
 mod grow;

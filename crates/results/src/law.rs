@@ -8,14 +8,14 @@ pub struct LawResult {
     pub distance: Real,
     /// sup |F - F_subject| that the draws still allow (Dvoretzky-Kiefer-Wolfowitz; Massart 1990).
     pub bound: Real,
-    /// sup |F - F_subject| that would have been seen with 90 % power.
+    /// sup |F - F_subject| that this run would have failed with 90 % power, at the level that its decision left to one test.
     pub detectable: Real,
-    /// The smallest relative error of the extinction, the same everywhere, that the exposure score would have seen at the
-    /// reporting level with 90 % power; none where the score is withheld.
+    /// The smallest relative error of the extinction, the same everywhere, that the exposure score would have failed in this
+    /// run with 90 % power; none where the score is withheld.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub detectable_scale: Option<Real>,
     /// The smallest relative error of the probability of one cell, of the 64 of nearly equal probability (fewer if draws are
-    /// few), that chi-square would have seen at the reporting level with 90 % power; none where that test is withheld.
+    /// few), that chi-square would have failed in this run with 90 % power; none where that test is withheld.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub detectable_cell: Option<Real>,
     /// The probability of escape.

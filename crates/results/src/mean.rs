@@ -19,7 +19,7 @@ pub struct MeanResult {
     pub high: Real,
     /// The largest |bias| that the interval still allows.
     pub bound: Real,
-    /// The |bias| that would have been seen with 90 % power.
+    /// The |bias| that this run would have failed with 90 % power, at the level that its decision left to one test.
     pub detectable: Real,
     /// Sample variance of one draw.
     pub variance: Real,

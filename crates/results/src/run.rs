@@ -20,7 +20,7 @@ pub struct Results {
     /// The family-wise error of each stage where one rejects alone; none in results of before it could.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub alone_alpha: Option<Real>,
-    /// The level at which intervals, bands, `bound` and `detectable` are given.
+    /// The level at which intervals, bands and `bound` are given.
     pub reporting_level: Real,
     /// The numbers of p-values that were planned, and count in Holm, in stage 1 and stage 2: those that are withheld, too.
     pub p_values: [usize; 2],

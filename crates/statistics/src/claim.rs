@@ -5,6 +5,7 @@
 //! changes.
 
 use crate::check::Check;
+use crate::detection::Detection;
 use crate::evidence::Fact;
 use crate::fold::{Folds, ProbableEscape, Tallies};
 use crate::judged::Judged;
@@ -243,11 +244,11 @@ impl<'a> Claims<'a> {
         designs.find(|design| *design != Design::Unbiased).unwrap_or(Design::Unbiased)
     }
 
-    /// The additions of all of them to the results; without tallies of a subject that did not finish its draws.
+    /// The additions of all of them to the results, after the decision; without tallies of a subject that did not finish its draws.
     #[must_use]
-    pub fn summary(&self, tallies: Option<&Tallies>) -> Summary {
+    pub fn summary(&self, tallies: Option<&Tallies>, detection: Detection) -> Summary {
         let claims = self.iter().filter_map(Claim::statement).collect();
-        let mut summary = Summary { claims, ..Summary::default() };
+        let mut summary = Summary { claims, ..Summary::new(detection) };
         self.iter().for_each(|claim| claim.state(&mut summary));
         if let Some(tallies) = tallies {
             self.iter().for_each(|claim| claim.summarize(tallies, &mut summary));

@@ -2,7 +2,7 @@
 
 use freepath_results::Reason;
 
-/// The level at which intervals, bands, `bound` and `detectable` are given: what Holm leaves to one test of a large run.
+/// The level at which intervals, bands and `bound` are given: what Holm leaves to one test of a large run.
 pub const REPORTING_LEVEL: f64 = 1e-6;
 
 /// The power at which `detectable` is given.

@@ -5,6 +5,7 @@ mod block;
 pub mod check;
 pub mod claim;
 pub mod decide;
+mod detection;
 mod evidence;
 pub mod fold;
 mod grain;
@@ -17,6 +18,7 @@ pub mod special;
 pub mod tally;
 
 pub use block::{Block, CellIndex, Scratch};
+pub use detection::{Detection, StageLevel};
 pub use evidence::{Alone, Evidence, Fact, Null, NullClass, POWER, REPORTING_LEVEL, holm};
 pub use grain::Grain;
 pub use judged::Judged;

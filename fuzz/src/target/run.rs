@@ -6,6 +6,7 @@ use crate::judge::{Answer, Bounds};
 use freepath_harness::case::{CaseFile, Limits, Prepared};
 use freepath_harness::collect::{Stopped, Watch, observe};
 use freepath_harness::run::{self, Options};
+use freepath_statistics::Detection;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -85,7 +86,7 @@ fn block(case: &Prepared) -> Result<f64, String> {
         let plan = subject.plan();
         match observe(&subject, &plan, 1, 0..1, &watch) {
             Ok(collected) => {
-                let summary = plan.claims.summary(Some(&collected.tallies));
+                let summary = plan.claims.summary(Some(&collected.tallies), Detection::alone(DRAWS));
                 let lookups = summary.audit.lookups as f64 / DRAWS as f64;
                 most = if lookups > most { lookups } else { most };
                 drop(plan.claims.judge(&collected.tallies));

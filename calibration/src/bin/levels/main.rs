@@ -19,6 +19,7 @@ mod pairs;
 mod pearson;
 mod second_moment;
 mod table;
+mod too_even;
 
 use clap::Parser;
 use std::process::ExitCode;
@@ -50,8 +51,9 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 11] = [
+const TESTS: [(&str, Measure); 12] = [
     ("chi_square", pearson::rows),
+    ("too_even", too_even::rows),
     ("null_positions", null_positions::rows),
     ("exposure", exposure::rows),
     ("mean", means::rows),

@@ -77,5 +77,5 @@ the statistic has its mean where the tail begins; draws of a law on finitely man
 where the self-normalised mean first reaches the tail (Shao 1997); chains of draws with neighbours that attract or repel each
 other; uniform draws with too many below one of many points. Binomial, Clopper-Pearson, Poisson and empirical Bernstein p-values are
 exact or bounds, and are not here, nor is Berk-Jones (`berk_jones check` holds its table). Sums of squares lean towards one direction
-each, drawn at random; tables of neighbours are chains with Dirichlet rows; tables of auxiliary numbers and of two samples have Dirichlet rows.
+each, drawn at random; the left tail of `too_even` is enumerated; tables of neighbours are chains with Dirichlet rows; tables of auxiliary numbers and of two samples have Dirichlet rows.
 ";

@@ -1,5 +1,6 @@
 //! The outcome of a run: one decision over all subjects, and the results.
 
+use super::detectable::Family;
 use super::{Options, Trial, efficiency, medium_result, subjects};
 use crate::case::{KINDS, Prepared};
 use crate::origin::Origin;
@@ -18,10 +19,16 @@ pub struct Outcome {
 pub(super) fn outcome(cases: &[Prepared], trials: &[Trial], options: &Options) -> Outcome {
     let first = adjust(trials.iter().map(|trial| &trial.first.judged));
     let second = adjust_some(trials.iter().map(|trial| trial.second.as_ref().map(|(judged, _)| judged)));
-    let mut results = Vec::new();
+    let (mut results, family) = (Vec::new(), Family::of(&first, &second));
     for ((trial, first), second) in trials.iter().zip(&first).zip(&second) {
         let stages = subjects::Stages { first, second: second.as_ref() };
-        results.push(subjects::diagnosed(subjects::result(cases, trial, stages, options)));
+        results.push(subjects::diagnosed(subjects::result(
+            cases,
+            trial,
+            stages,
+            family.detection(trial, stages),
+            options,
+        )));
     }
     let timing = |(trial, result): (&Trial, &SubjectResult)| SubjectTiming {
         id: result.id.clone(),

@@ -6,6 +6,7 @@ use super::{Expected, Options, Prepared, PreparedSubject, Trial, expected};
 use crate::origin::Origin;
 use crate::samples::SampleFile;
 use freepath_results::{FactResult, Grown, OrderResult, Real, SubjectResult, TestResult, Verdict};
+use freepath_statistics::Detection;
 use freepath_statistics::claim::{StepOrder, Summary, worst};
 use freepath_statistics::decide::{Decision, Stage, StageTest, decide};
 
@@ -23,11 +24,17 @@ impl<'a> Stages<'a> {
     }
 }
 
-pub(super) fn result(cases: &[Prepared], trial: &Trial, stages: Stages, options: &Options) -> SubjectResult {
+pub(super) fn result(
+    cases: &[Prepared],
+    trial: &Trial,
+    stages: Stages,
+    detection: Detection,
+    options: &Options,
+) -> SubjectResult {
     let (Trial { case, prepared, .. }, decision) = (trial, decide(stages.first, stages.second));
     let expected = expectation(trial, &decision);
-    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order } =
-        summary(trial, grown(trial, stages).as_ref());
+    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order, .. } =
+        summary(trial, grown(trial, stages).as_ref(), detection);
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -67,9 +74,9 @@ pub(super) fn result(cases: &[Prepared], trial: &Trial, stages: Stages, options:
 }
 
 /// The additions of the claims, after the decision.
-fn summary(trial: &Trial, grown: Option<&Grown>) -> Summary {
+fn summary(trial: &Trial, grown: Option<&Grown>, detection: Detection) -> Summary {
     let seen = trial.first.collected.as_ref().map(|seen| &seen.tallies);
-    trial.plan.claims.summary(seen).grown(grown)
+    trial.plan.claims.summary(seen, detection).grown(grown)
 }
 
 fn expectation(trial: &Trial, decision: &Decision) -> Expected {

@@ -50,7 +50,7 @@ impl Claim for EventClaim {
         };
         let sums = power_sums(tallies, self.sums);
         let (_, interval) = hypothesis::mean(&self.name, &sums, &self.mean, Reason::Biased);
-        let mean = with_interval(&self.mean, &sums, &interval);
+        let mean = with_interval(&self.mean, &sums, &interval, &into.detection);
         into.channels.push(ChannelResult { channel: self.channel, event: event.into(), mean });
     }
 }

@@ -50,7 +50,9 @@ impl Claim for LawClaim {
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
-        follows("", &self.law, tallies.counts(self.cells), self.reason, into);
+        let cells = tallies.counts(self.cells);
+        follows("", &self.law, cells, self.reason, into);
+        into.evidence.push(hypothesis::scan(&self.law, cells, self.reason));
     }
 
     fn design(&self, draws: u64) -> Design {
@@ -68,7 +70,7 @@ impl Claim for LawClaim {
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
         let cells = tallies.counts(self.cells);
-        into.law = Some(law_result(&self.law, cells));
+        into.law = Some(law_result(&self.law, cells, &into.detection));
         into.series.cdf = Some(series::cdf(&self.law, self.own.as_deref(), cells));
         into.series.histogram = Some(series::histogram(&self.law, cells));
         into.series.residuals = series::residual(&self.law, cells);
@@ -76,7 +78,7 @@ impl Claim for LawClaim {
     }
 }
 
-/// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores, windows.
+/// The tests of one law: escape atom, chi-square at three scales, distances between the CDFs, scores.
 pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason, into: &mut Judged) {
     let n = cells.draws();
     let fine = fine_cells(n);
@@ -92,7 +94,6 @@ pub(super) fn follows(prefix: &str, law: &Law, cells: &CellTally, reason: Reason
         hypothesis::exposure(law, cells, reason),
         hypothesis::neyman(law, cells, reason),
         hypothesis::whole_law(law, cells, reason),
-        hypothesis::scan(law, cells, reason),
     ];
     into.evidence.extend(all.into_iter().map(|evidence| prefixed(prefix, evidence)));
 }

@@ -63,7 +63,7 @@ impl Claim for WeightClaim {
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
-        into.mean = Some(result::mean_result(self, &power_sums(tallies, self.weights)));
+        into.mean = Some(result::mean_result(self, &power_sums(tallies, self.weights), &into.detection));
         into.series.running = Some(result::running(&tallies.sums(self.weights).running));
     }
 }

@@ -1,6 +1,7 @@
-use super::law::follows;
+use super::law::{follows, prefixed};
 use super::{Claim, Withdrawal};
 use crate::fold::{Cells, FoldId, Tallies};
+use crate::hypothesis;
 use crate::judged::Judged;
 use crate::law::Law;
 use freepath_results::{ClaimResult, Reason};
@@ -12,6 +13,8 @@ pub struct OwnLaw {
     pub law: Arc<Law>,
     /// The column by cell.
     pub cells: FoldId<Cells>,
+    /// True if it has no atoms on the ray: one at the edge of a cell would be counted on either side.
+    pub continuous: bool,
 }
 
 impl Claim for OwnLaw {
@@ -24,6 +27,10 @@ impl Claim for OwnLaw {
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
-        follows("own_", &self.law, tallies.counts(self.cells), Reason::WrongLaw, into);
+        let cells = tallies.counts(self.cells);
+        follows("own_", &self.law, cells, Reason::WrongLaw, into);
+        if self.continuous {
+            into.evidence.push(prefixed("own_", hypothesis::scan(&self.law, cells, Reason::WrongLaw)));
+        }
     }
 }

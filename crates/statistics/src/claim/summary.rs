@@ -1,8 +1,11 @@
+use crate::detection::Detection;
 use freepath_results::{AuditResult, ChannelResult, ClaimResult, Grown, LawResult, MeanResult, Series};
 
 /// The additions of the claims on one subject to its results.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Summary {
+    /// The level at which errors would have been seen.
+    pub detection: Detection,
     /// Each claim in words.
     pub claims: Vec<ClaimResult>,
     /// Of the mean.
@@ -33,6 +36,23 @@ pub struct StepOrder {
 }
 
 impl Summary {
+    /// Before any claim has told of itself.
+    #[must_use]
+    pub fn new(detection: Detection) -> Self {
+        Self {
+            detection,
+            claims: Vec::new(),
+            mean: None,
+            law: None,
+            channels: Vec::new(),
+            series: Series::default(),
+            lookups: 0.0,
+            lookups_expected: None,
+            audit: AuditResult::default(),
+            order: None,
+        }
+    }
+
     /// With what draws that grew have shown in place of what those of stage 1 did.
     #[must_use]
     pub fn grown(mut self, grown: Option<&Grown>) -> Self {

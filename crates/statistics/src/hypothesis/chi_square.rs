@@ -1,7 +1,8 @@
 use super::record::Test;
-use crate::evidence::{Alone, Evidence, NullClass, POWER};
+use crate::detection::Detection;
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::{Groups, LEAST_SHARE, Law};
-use crate::special::{chi_square_noncentrality, chi_square_sf};
+use crate::special::chi_square_sf;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
@@ -107,18 +108,18 @@ pub(super) fn standardised(law: &Law, tally: &CellTally, demand: Demand) -> Opti
     Some((groups, residual, escape))
 }
 
-/// The smallest relative error of one cell of 64 that the test would have seen at `level` with the usual power, the other cells
+/// The smallest relative error of one cell of 64 that the test would have seen in both stages with the usual power, the other cells
 /// sharing the difference; of the lightest cell, so that it holds for each. None where the test is withheld.
 ///
 /// ```text
-/// r = sqrt(l (1 - p) / (n p)),   l = n sum (q - p)^2 / p the noncentrality that the power needs
+/// r = sqrt(l (1 - p) / p) + 2 slack / p,   l = sum (q - p)^2 / p the noncentrality of one draw that the power needs
 /// ```
 #[must_use]
-pub fn detectable_cell(law: &Law, tally: &CellTally, level: f64) -> Option<f64> {
-    let (n, (groups, residual, _)) = (tally.draws() as f64, residuals(law, tally, 64)?);
+pub fn detectable_cell(law: &Law, tally: &CellTally, detection: &Detection) -> Option<f64> {
+    let (groups, residual, _) = residuals(law, tally, 64)?;
     let lightest = groups.mass.iter().copied().reduce(|a, b| if b < a { b } else { a })?;
-    let noncentrality = chi_square_noncentrality((residual.len() - 1) as f64, level, POWER);
-    Some((noncentrality * (1.0 - lightest) / (n * lightest)).sqrt())
+    let noncentrality = detection.noncentrality((residual.len() - 1) as f64);
+    Some((noncentrality * (1.0 - lightest) / lightest).sqrt() + 2.0 * law.slack() / lightest)
 }
 
 /// At most the wanted cells for so many collisions, and whether so many escapes make one of their own.

@@ -1,9 +1,10 @@
 use super::atom::standardised;
 use super::chi_square::lessened;
 use super::record::Test;
-use crate::evidence::{Alone, Evidence, NullClass, POWER};
+use crate::detection::Detection;
+use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::Law;
-use crate::special::{normal_quantile, pearson_two_sided};
+use crate::special::pearson_two_sided;
 use crate::tally::CellTally;
 use freepath_results::Reason;
 
@@ -67,17 +68,18 @@ pub fn exposure(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
         .noted(format!("as if the extinction were {factor:.5} times as large"))
 }
 
-/// The smallest relative error of the extinction that the score would have seen at `level` with the usual power; none where it
+/// The smallest relative error of the extinction that the score would have seen in both stages with the usual power; none where it
 /// is not tested.
 ///
 /// ```text
-/// (z_(level/2) + z_(1-power)) / sqrt(n F(length))
+/// the bias of a mean of standard deviation sqrt(F(length)), over F(length)
 /// ```
 #[must_use]
-pub fn detectable_scale(law: &Law, draws: u64, level: f64) -> Option<f64> {
-    let collisions = draws as f64 * law.collided();
-    let deviate = normal_quantile(0.5 * level) + normal_quantile(1.0 - POWER);
-    (collisions >= LEAST_COLLISIONS).then(|| deviate / collisions.sqrt())
+pub fn detectable_scale(law: &Law, draws: u64, detection: &Detection) -> Option<f64> {
+    let collided = law.collided();
+    let slack = if law.slack() > 0.0 { law.slack() * Exposure::new(law).variation } else { 0.0 };
+    let tested = draws as f64 * collided >= LEAST_COLLISIONS;
+    tested.then(|| (detection.mean(collided.sqrt()) + slack) / collided)
 }
 
 impl Exposure {

@@ -13,11 +13,13 @@ use interval::interval;
 use method::{method, skewness};
 
 mod bernstein;
+mod detectable;
 mod difference;
 mod hall;
 mod interval;
 mod method;
 
+pub use detectable::detectable_mean;
 pub(super) use hall::corrected_p;
 pub use interval::{Interval, interval_at};
 pub use method::{Method, within};

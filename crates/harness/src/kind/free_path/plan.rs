@@ -148,7 +148,7 @@ impl<'a, 'b> Builder<'a, 'b> {
             grows: true,
         });
         if let Some(law) = own.clone() {
-            self.claims.push(OwnLaw { law, cells });
+            self.claims.push(OwnLaw { law, cells, continuous: self.said.continuous });
         }
         self.within_cells();
         if self.laws.own.is_none() {

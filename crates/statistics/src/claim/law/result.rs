@@ -1,25 +1,31 @@
 use super::series::band;
-use crate::evidence::{POWER, REPORTING_LEVEL};
+use crate::detection::Detection;
+use crate::evidence::REPORTING_LEVEL;
 use crate::hypothesis::{Among, detectable_cell, detectable_scale, sup_distance};
+use crate::larger::larger;
 use crate::law::Law;
-use crate::special::{clopper_pearson, normal_quantile};
+use crate::special::clopper_pearson;
 use crate::tally::CellTally;
 use freepath_results::{Atom, LawResult, Real};
 
 /// The distance of a column from a law, and the distance that would have been seen.
-pub(in crate::claim) fn law_result(law: &Law, tally: &CellTally) -> LawResult {
+pub(in crate::claim) fn law_result(law: &Law, tally: &CellTally, detection: &Detection) -> LawResult {
     let n = tally.draws();
     let distance = sup_distance(law, tally, Among::All);
-    let power = normal_quantile(1.0 - POWER) / (2.0 * (n as f64).sqrt());
     LawResult {
         distance: Real(distance.low),
         bound: Real(distance.high + band(n)),
-        detectable: Real(band(n) + power),
-        detectable_scale: detectable_scale(law, n, REPORTING_LEVEL).map(Real),
-        detectable_cell: detectable_cell(law, tally, REPORTING_LEVEL).map(Real),
+        detectable: Real(detection.distance() + hidden(law) + law.slack()),
+        detectable_scale: detectable_scale(law, n, detection).map(Real),
+        detectable_cell: detectable_cell(law, tally, detection).map(Real),
         atom: atom(law, tally),
         grown: None,
     }
+}
+
+/// The most that a distance may be above what is seen at the edges of the cells.
+fn hidden(law: &Law) -> f64 {
+    (0..law.cells()).map(|k| law.mass(k)).fold(0.0, larger)
 }
 
 fn atom(law: &Law, tally: &CellTally) -> Atom {

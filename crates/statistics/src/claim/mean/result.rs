@@ -1,18 +1,24 @@
 use super::WeightClaim;
+use crate::detection::Detection;
 use crate::evidence::REPORTING_LEVEL;
-use crate::hypothesis::{Interval, MeanClaim, mean};
+use crate::hypothesis::{Interval, MeanClaim, detectable_mean, mean};
 use crate::special::normal_quantile;
 use crate::tally::{PowerSums, Running};
 use freepath_results::{MeanResult, Real, Reason, RunningSeries};
 
-pub(super) fn mean_result(claim: &WeightClaim, sums: &PowerSums) -> MeanResult {
+pub(super) fn mean_result(claim: &WeightClaim, sums: &PowerSums, detection: &Detection) -> MeanResult {
     let (_, interval) = mean("mean", sums, &claim.truth, Reason::Biased);
     let own = claim.own.map(|own| Real(own.expected));
-    MeanResult { own, ..with_interval(&claim.truth, sums, &interval) }
+    MeanResult { own, ..with_interval(&claim.truth, sums, &interval, detection) }
 }
 
 /// The result of a mean, without what only that of a column has.
-pub(in crate::claim) fn with_interval(claim: &MeanClaim, sums: &PowerSums, interval: &Interval) -> MeanResult {
+pub(in crate::claim) fn with_interval(
+    claim: &MeanClaim,
+    sums: &PowerSums,
+    interval: &Interval,
+    detection: &Detection,
+) -> MeanResult {
     MeanResult {
         expected: Real(claim.expected),
         own: None,
@@ -21,7 +27,7 @@ pub(in crate::claim) fn with_interval(claim: &MeanClaim, sums: &PowerSums, inter
         low: Real(interval.low),
         high: Real(interval.high),
         bound: Real(interval.bound()),
-        detectable: Real(interval.detectable),
+        detectable: Real(detectable_mean(sums, claim, detection)),
         variance: Real(sums.variance()),
         variance_expected: claim.variance.map(Real),
         skewness: Real(sums.skewness()),

@@ -17,8 +17,8 @@ pub(super) fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f
     if p > 1.0 { 1.0 } else { p }
 }
 
-/// Half the interval at confidence 1 - `level`.
-pub(super) fn bernstein_width(sums: &PowerSums, (low, high): (f64, f64), level: f64) -> f64 {
-    let (n, l) = (sums.n as f64, libm::log(4.0 / level));
-    (2.0 * sums.variance() * l / n).sqrt() + 7.0 * (high - low) * l / (3.0 * (n - 1.0))
+/// Half the interval of `n` draws at confidence 1 - `level`.
+pub(super) fn bernstein_width(variance: f64, n: f64, (low, high): (f64, f64), level: f64) -> f64 {
+    let l = libm::log(4.0 / level);
+    (2.0 * variance * l / n).sqrt() + 7.0 * (high - low) * l / (3.0 * (n - 1.0))
 }

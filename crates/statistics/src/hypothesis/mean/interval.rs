@@ -2,7 +2,6 @@ use super::bernstein::bernstein_width;
 use super::difference::{ROUNDING, bias};
 use super::hall::corrected_t;
 use super::method::{Method, method};
-use crate::evidence::POWER;
 use crate::hypothesis::mean_claim::MeanClaim;
 use crate::larger::larger;
 use crate::special::{clopper_pearson, normal_quantile};
@@ -17,8 +16,6 @@ pub struct Interval {
     pub low: f64,
     /// As `low`.
     pub high: f64,
-    /// The bias that would have been seen with 90 % power.
-    pub detectable: f64,
 }
 
 impl Interval {
@@ -39,31 +36,18 @@ pub fn interval_at(sums: &PowerSums, claim: &MeanClaim, level: f64) -> Interval 
 /// An interval for the bias by `method`.
 pub(super) fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method, level: f64) -> Interval {
     let (bias, n) = (bias(sums, claim), sums.n as f64);
-    let (error, due) = ((sums.variance() / n).sqrt(), larger(sums.variance(), claim.variance.unwrap_or(0.0)));
-    let (z, power) = (normal_quantile(0.5 * level), normal_quantile(1.0 - POWER) * (due / n).sqrt());
-    let about = |half: f64, detectable: f64| Interval { method, low: bias - half, high: bias + half, detectable };
+    let (error, z) = ((sums.variance() / n).sqrt(), normal_quantile(0.5 * level));
+    let about = |half: f64| Interval { method, low: bias - half, high: bias + half };
     match (method, claim.range) {
         (Method::Binomial, _) => {
             let (low, high) = clopper_pearson(sums.n, sums.ones, level);
-            let error = (claim.expected * (1.0 - claim.expected) / n).sqrt();
-            let detectable = (z + normal_quantile(1.0 - POWER)) * error;
-            Interval { method, low: low - claim.expected, high: high - claim.expected, detectable }
+            Interval { method, low: low - claim.expected, high: high - claim.expected }
         }
-        (Method::Exact, _) => {
-            let rounding = ROUNDING * claim.expected.abs() + claim.slack;
-            about(rounding, rounding)
-        }
-        (Method::EmpiricalBernstein, Some(range)) => {
-            let half = bernstein_width(sums, range, level);
-            about(half, half + power)
-        }
-        (Method::None | Method::AllOnes, _) | (Method::EmpiricalBernstein, None) => {
-            about(f64::INFINITY, f64::INFINITY)
-        }
-        (Method::StudentT, _) => about(z * error, z * (due / n).sqrt() + power),
-        (Method::SkewnessCorrected, _) => {
-            corrected_limits(sums, z, bias, about(z * error, z * (due / n).sqrt() + power))
-        }
+        (Method::Exact, _) => about(ROUNDING * claim.expected.abs() + claim.slack),
+        (Method::EmpiricalBernstein, Some(range)) => about(bernstein_width(sums.variance(), n, range, level)),
+        (Method::None | Method::AllOnes, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY),
+        (Method::StudentT, _) => about(z * error),
+        (Method::SkewnessCorrected, _) => corrected_limits(sums, z, bias, about(z * error)),
     }
 }
 
