@@ -12,6 +12,7 @@ use freepath_statistics::Fact;
 use freepath_statistics::claim::Withdrawal;
 use list::kinds;
 
+mod batches;
 mod body;
 mod escaping;
 mod events;

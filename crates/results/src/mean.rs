@@ -28,7 +28,7 @@ pub struct MeanResult {
     pub variance_expected: Option<Real>,
     /// Sample skewness of one draw.
     pub skewness: Real,
-    /// The method of the interval: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein` or `exact`.
+    /// The method of the interval: `binomial`, `student_t`, `skewness_corrected`, `empirical_bernstein`, `exact`, `batch_means`, or `all_ones` and `none` if there is no interval.
     pub method: String,
     /// The growth of draws towards a bound, if the case asks for one; `bound` is then the one that was reached.
     #[serde(skip_serializing_if = "Option::is_none", default)]

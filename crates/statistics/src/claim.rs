@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 mod agreement;
 mod auxiliary;
+mod batches;
 mod berk_jones;
 mod bounded;
 mod bounded_mean;
@@ -52,6 +53,7 @@ mod vacuum;
 
 pub use agreement::{Agreed, Comparable, LawAgreement, MeanAgreement, Spread};
 pub use auxiliary::AuxiliaryClaim;
+pub use batches::{BatchMean, BatchShares};
 pub use berk_jones::BerkJonesClaim;
 pub use bounded::{Bounded, InsideRay};
 pub use bounded_mean::{BoundedMean, bounds, portfolio};
@@ -97,7 +99,7 @@ pub enum Withdrawal {
     SecondMoment,
     /// The expected look-ups, and the law of tentative collisions.
     Lookups,
-    /// That draws are independent.
+    /// That draws are independent, and with it every test and bound that needs it: means and laws are judged by batches of rows.
     Independent,
     /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
     /// of the draws, the audit, and what is checked without noise.

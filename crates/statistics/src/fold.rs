@@ -8,6 +8,7 @@ use crate::block::{Block, Scratch};
 use freepath_draws::MissingColumn;
 
 mod auxiliary;
+mod batched;
 mod capitals;
 mod cells;
 mod collisions;
@@ -29,6 +30,7 @@ mod wealth;
 mod weight;
 
 pub use auxiliary::Auxiliary;
+pub use batched::{BatchPart, Batched};
 pub use capitals::CapitalSums;
 pub use cells::{Cells, Rank, RankOf, Values};
 pub use collisions::{Collisions, Histogram};

@@ -45,4 +45,4 @@ pub use normal::{normal_quantile, normal_sf, normal_two_sided};
 pub use pareto::pareto_shape;
 pub use pearson::pearson_two_sided;
 pub use poisson::{poisson_cdf, poisson_sf, poisson_two_sided};
-pub use student_t::{student_t_sf, student_t_two_sided};
+pub use student_t::{student_t_quantile, student_t_sf, student_t_two_sided};

@@ -2,6 +2,7 @@
 
 mod audit;
 mod auxiliary;
+mod batch_sums;
 mod batches;
 mod cells;
 mod counts;
@@ -16,6 +17,7 @@ mod ties;
 
 pub use audit::{Audit, Excess};
 pub use auxiliary::AuxiliaryTally;
+pub use batch_sums::{BatchMeans, BatchSums, SHARES};
 pub use batches::{Batch, Batches};
 pub use cells::CellTally;
 pub use counts::CountTally;

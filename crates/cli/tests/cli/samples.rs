@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
 mod declared;
+mod dependent;
 mod escapes;
 mod refusals;
 mod single;

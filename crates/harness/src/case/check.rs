@@ -92,6 +92,7 @@ impl CaseFile {
                 let why = "a bias bound needs the truth, which is withdrawn (do without one of them)";
                 return Err(self.refuse(&format!("{at}without"), why));
             }
+            self.check_independent(&at, s)?;
             self.check_numbers(&at, s.draws, s.budget, s.bias_bound, s.tolerance, s.resolution_bits)?;
             if !s.named().is_none_or(AnyNamed::grows) && s.bias_bound.or(case.bias_bound).is_some() {
                 let at = if s.bias_bound.is_some() { format!("{at}bias_bound") } else { "bias_bound".into() };
@@ -102,6 +103,21 @@ impl CaseFile {
                 );
                 return Err(self.refuse(&at, why));
             }
+        }
+        Ok(())
+    }
+
+    /// Growth and agreements need independent draws.
+    fn check_independent(&self, at: &str, s: &SubjectSpec) -> Result<(), CaseError> {
+        let refuse = |why: &str| Err(self.refuse(&format!("{at}without"), why));
+        if !s.without.contains(&Withdrawal::Independent) {
+            return Ok(());
+        }
+        if s.bias_bound.or(self.case.bias_bound).is_some() {
+            return refuse("a bias bound needs independent draws, which are withdrawn (do without one of them)");
+        }
+        if !s.agree.as_ref().unwrap_or(&self.case.agree).is_empty() {
+            return refuse("agreements need independent draws, which are withdrawn (do without one of them)");
         }
         Ok(())
     }

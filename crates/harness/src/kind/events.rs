@@ -1,13 +1,14 @@
 //! Weighted means of events along a ray: of a chromatic sampler, or of weighted free paths.
 
+use super::batches;
 use crate::experiment::{Declared, Terms};
 use freepath_draws::column::{self, T, channel};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
     BoundedMean, Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
-    bounds, portfolio,
+    Withdrawal, bounds, portfolio,
 };
-use freepath_statistics::fold::{Event, EventSums, FoldId, Strays, WealthSums};
+use freepath_statistics::fold::{Batched, Event, EventSums, FoldId, Strays, WealthSums};
 use freepath_statistics::hypothesis::{MeanClaim, SecondMoment};
 
 /// The weighted mean of one event in one channel.
@@ -68,13 +69,15 @@ impl Events {
     }
 
     /// Each event has its mean and, where a formula is known, its second moment.
-    pub(super) fn means(self, claims: &mut Claims) {
+    pub(super) fn means(self, terms: &Terms, claims: &mut Claims) {
         for (EventMean { channel, event, name, mean, moments, moments_error: error, .. }, sums) in
             self.means.into_iter().zip(self.sums)
         {
             let (second, bounded) = (format!("second_moment_{name}"), format!("bounded_mean_{name}"));
+            let fold = Batched::event(column::channel(channel), T, event);
+            batches::mean((&name, Reason::Biased), Moments::Event(sums), fold, mean, terms, claims);
             claims.push(EventClaim { name, channel, event, mean, sums });
-            if bounds(&mean) {
+            if bounds(&mean) && terms.stands(Withdrawal::Independent) {
                 let column = column::channel(channel);
                 let fold = |portfolio| WealthSums { column, event: Some((T, event)), portfolio };
                 let wealth = portfolio(&mean).map(|portfolio| claims.folds.add(fold(portfolio)));

@@ -34,7 +34,7 @@ impl Claim for BerkJonesClaim<'_> {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth]
+        &[Withdrawal::Truth, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

@@ -22,7 +22,7 @@ impl Claim for ColemanClaim<'_> {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth, Withdrawal::Lookups]
+        &[Withdrawal::Truth, Withdrawal::Lookups, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

@@ -41,7 +41,7 @@ impl Claim for EfficiencyClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[]
+        &[Withdrawal::Independent]
     }
 
     fn contender<'a>(&'a self, tallies: &'a Tallies) -> Option<Contender<'a>> {

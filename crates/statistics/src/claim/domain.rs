@@ -73,7 +73,7 @@ impl Claim for AtomsClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth]
+        &[Withdrawal::Truth, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

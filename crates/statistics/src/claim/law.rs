@@ -46,7 +46,7 @@ impl Claim for LawClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth]
+        &[Withdrawal::Truth, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

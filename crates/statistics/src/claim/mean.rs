@@ -43,7 +43,7 @@ impl Claim for WeightClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth]
+        &[Withdrawal::Truth, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

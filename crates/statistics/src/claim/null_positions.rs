@@ -19,7 +19,7 @@ impl Claim for NullPositionsClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth, Withdrawal::Lookups, Withdrawal::Bounded]
+        &[Withdrawal::Truth, Withdrawal::Lookups, Withdrawal::Bounded, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

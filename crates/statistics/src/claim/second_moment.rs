@@ -31,7 +31,7 @@ impl Claim for SecondMomentClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth, Withdrawal::SecondMoment]
+        &[Withdrawal::Truth, Withdrawal::SecondMoment, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

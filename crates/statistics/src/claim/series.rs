@@ -29,7 +29,7 @@ impl Claim for SeriesClaim {
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
-        &[Withdrawal::Truth]
+        &[Withdrawal::Truth, Withdrawal::Independent]
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {

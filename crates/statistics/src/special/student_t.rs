@@ -34,6 +34,26 @@ pub fn student_t_two_sided(dof: f64, t: f64) -> f64 {
     2.0 * student_t_sf(dof, t.abs())
 }
 
+/// The upper point of Student's t law: P(T >= t) = `level`, by bisection.
+///
+/// Domain: dof of 2 or more, level from 1e-12 to 1/2, else NaN.
+#[must_use]
+pub fn student_t_quantile(dof: f64, level: f64) -> f64 {
+    if !(dof >= 2.0 && (1e-12..=0.5).contains(&level)) {
+        return f64::NAN;
+    }
+    let (mut low, mut high) = (0.0, 1e7);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if student_t_sf(dof, middle) > level {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
 /// I_y(1/2, a) / 2 by its series of positive terms, for y = t^2 / (2 a + t^2) < 0.8.
 fn body(a: f64, t: f64) -> f64 {
     let y = t * t / (2.0 * a + t * t);

@@ -49,6 +49,11 @@ impl CellTally {
         }
     }
 
+    /// True if this is the cell number of an escape.
+    pub(crate) fn is_escape(cell: u32) -> bool {
+        cell == ESCAPE
+    }
+
     /// Adds the counts of another worker.
     pub fn merge(&mut self, other: &Self) {
         for (a, b) in self.cells.iter_mut().zip(&other.cells) {

@@ -1,7 +1,7 @@
 use super::Chromatic;
 use crate::experiment::{Plan, Terms};
 use freepath_draws::column::T;
-use crate::kind::Source;
+use crate::kind::{Source, batches};
 use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
 use freepath_draws::quadrature::{Integral, Panels, decays};
@@ -44,7 +44,7 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
         claims.push(PdfIntegral { mass, over: "the ray and its end" });
     }
     if let Some(events) = events {
-        events.means(&mut claims);
+        events.means(terms, &mut claims);
     }
     Plan { claims, beside: Vec::new() }
 }
@@ -78,6 +78,8 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
             let near = claims.folds.add(Breaks { column: T, flanks: flanks.clone(), index });
             claims.push(BreaksClaim { prefix: "", flanks, near, cells, reason });
         }
+        let shares = batches::shares(&law, index, reason, terms, claims);
+        batches::push(shares, claims);
         let ends = claims.folds.add(Ends { column: T, length });
         let (law, survival, bits) = (law.clone(), Box::new(survival), terms.bits);
         claims.push(BerkJonesClaim { prefix: "", law, survival, cells, ends, bits, reason });

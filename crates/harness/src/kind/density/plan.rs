@@ -1,4 +1,5 @@
 use crate::experiment::{Plan, Terms};
+use crate::kind::batches;
 use freepath_estimators::density::{Target, X};
 use freepath_results::Reason;
 use freepath_statistics::{Grain, Law};
@@ -35,6 +36,8 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
         order: None,
         grows: true,
     });
+    let shares = batches::shares(&law, index, reason, terms, &mut claims);
+    batches::push(shares, &mut claims);
     if target.atoms().len() > 1 {
         let masses = target.atoms().iter().map(|atom| atom.mass).collect();
         claims.push(AtomsClaim { masses, slack: law.slack(), places });

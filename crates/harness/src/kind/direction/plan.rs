@@ -1,6 +1,6 @@
 use super::{COLUMNS, pdf};
 use crate::experiment::{Plan, Terms};
-use crate::kind::{Direction, Source};
+use crate::kind::{Direction, Source, batches};
 use freepath_estimators::direction::{Directions, Ranks};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
@@ -32,6 +32,10 @@ pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction
     claims.push(LawAgreement { cells: angle.cells, reason });
     claims.push(follows(&law, &angle));
     claims.push(SecondRank(LawClaim { grows: false, ..follows(&law, &azimuth) }));
+    let first = batches::shares(&law, angle.index, reason, terms, &mut claims);
+    batches::push(first, &mut claims);
+    let second = batches::shares(&law, azimuth.index, reason, terms, &mut claims);
+    batches::push(second.map(SecondRank), &mut claims);
     claims.push(JointRanks { law: law.clone(), cells: joint.cells, reason });
     if let Some(sampler) = source.sampler() {
         claims.push(PdfIntegral { mass: pdf::mass(sampler, truth), over: "the sphere" });

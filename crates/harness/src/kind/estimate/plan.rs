@@ -1,13 +1,13 @@
 use super::Estimate;
 use crate::experiment::{Plan, Terms};
-use crate::kind::Source;
+use crate::kind::{Source, batches};
 use crate::scene::Number;
 use freepath_draws::column::WEIGHT;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    BoundedMean, Claims, EnoughRows, Estimates, MeanAgreement, Moments, NoiseFree, Spread, WeightClaim, bets, bounds, portfolio,
+    BoundedMean, Claims, EnoughRows, Estimates, MeanAgreement, Moments, NoiseFree, Spread, WeightClaim, Withdrawal, bets, bounds, portfolio,
 };
-use freepath_statistics::fold::{CapitalSums, WealthSums, Weights};
+use freepath_statistics::fold::{Batched, CapitalSums, WealthSums, Weights};
 use freepath_statistics::hypothesis::MeanClaim;
 
 /// Estimates are finite, in their range, and have the stated mean.
@@ -27,7 +27,8 @@ pub(super) fn plan<'a>(number: &Number, source: &Source<Estimate>, terms: &Terms
     let fold = |bets| CapitalSums { column: WEIGHT, bets };
     let capitals = bets(&truth, terms.bias_bound).map(|bets| claims.folds.add(fold(bets)));
     claims.push(WeightClaim { weights, truth, own: None, order: None, capitals });
-    if bounds(&truth) {
+    batches::mean(("mean", Reason::Biased), Moments::Column(weights), Batched::column(WEIGHT), truth, terms, &mut claims);
+    if bounds(&truth) && terms.stands(Withdrawal::Independent) {
         let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
         let wealth = portfolio(&truth).map(|portfolio| claims.folds.add(fold(portfolio)));
         let (name, sums, reason) = ("bounded_mean".to_string(), Moments::Column(weights), Reason::Biased);

@@ -1,7 +1,7 @@
 use super::FreePathKind;
 use super::in_parts::{InParts, cut, works_in_parts};
 use crate::experiment::{Beside, Plan, Terms};
-use crate::kind::{Ray, Source, escaping};
+use crate::kind::{Ray, Source, batches, escaping};
 use freepath_draws::column::{AUXILIARY, COLLISIONS, T, WEIGHT};
 use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
@@ -147,6 +147,8 @@ impl<'a, 'b> Builder<'a, 'b> {
             order: self.said.order,
             grows: true,
         });
+        let shares = batches::shares(truth, self.index, self.reason, self.terms, &mut self.claims);
+        batches::push(shares, &mut self.claims);
         if let Some(law) = own.clone() {
             self.claims.push(OwnLaw { law, cells, continuous: self.said.continuous });
         }

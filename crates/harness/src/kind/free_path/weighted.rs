@@ -20,7 +20,7 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     let escapes = Escaping { share: ray.transmittance(), remedy: escaping::of_file };
     Events::path(ray.truth.length(), escapes, &mut claims);
     if let Some(events) = events {
-        events.means(&mut claims);
+        events.means(terms, &mut claims);
     }
     Plan { claims, beside: Vec::new() }
 }

@@ -1,6 +1,6 @@
 use super::Transmittance;
 use crate::experiment::{Plan, Terms};
-use crate::kind::{Ray, Source};
+use crate::kind::{Ray, Source, batches};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
 use freepath_estimators::claims::TransmittanceClaims;
@@ -9,7 +9,7 @@ use freepath_statistics::claim::{
     Bounded, BoundedMean, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement, Moments,
     NoiseFree, OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets, bounds, portfolio,
 };
-use freepath_statistics::fold::{CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights};
+use freepath_statistics::fold::{Batched, CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights};
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 
 /// The claims of the estimator: of a file nothing that is not true of any right estimator.
@@ -140,9 +140,11 @@ impl<'b> Builder<'_, 'b> {
         if let Some(mean) = own {
             self.claims.push(OwnMean { weights, mean });
         }
-        self.bounded("bounded_mean", truth, Reason::Biased);
+        self.range("bounded_mean", truth, Reason::Biased);
+        self.batches("mean", truth, Reason::Biased);
         if let Some(mean) = own {
-            self.bounded("own_bounded_mean", mean, Reason::WrongLaw);
+            self.range("own_bounded_mean", mean, Reason::WrongLaw);
+            self.batches("own_mean", mean, Reason::WrongLaw);
         }
         if let Some([_, m2, _, m4, _, m6]) = moments {
             let (name, sums) = ("second_moment".to_string(), Moments::Column(weights));
@@ -153,14 +155,20 @@ impl<'b> Builder<'_, 'b> {
     }
 
     /// The mean by the range of the estimates, if they have one.
-    fn bounded(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
-        if !bounds(&mean) {
+    fn range(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
+        if !bounds(&mean) || !self.terms.stands(Withdrawal::Independent) {
             return;
         }
         let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
         let wealth = portfolio(&mean).map(|portfolio| self.claims.folds.add(fold(portfolio)));
         let (name, sums) = (name.to_string(), Moments::Column(self.weights));
         self.claims.push(BoundedMean { name, sums, wealth, mean, reason });
+    }
+
+    /// The mean where rows may depend.
+    fn batches(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
+        let (sums, fold) = (Moments::Column(self.weights), Batched::column(WEIGHT));
+        batches::mean((name, reason), sums, fold, mean, self.terms, &mut self.claims);
     }
 
     /// Collisions and look-ups. One estimate at a time tells no collisions.

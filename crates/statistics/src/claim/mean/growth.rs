@@ -61,6 +61,7 @@ impl Sequence for Bias<'_> {
                 | Method::SkewnessCorrected
                 | Method::EmpiricalBernstein
                 | Method::AllOnes
+                | Method::BatchMeans
                 | Method::None),
                 _,
                 _,

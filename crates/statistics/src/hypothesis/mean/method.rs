@@ -18,6 +18,8 @@ pub enum Method {
     EmpiricalBernstein,
     /// Every draw is 1: held against the chance that no draw has met anything yet (Markov).
     AllOnes,
+    /// Student's t over the means of batches of rows that may depend.
+    BatchMeans,
     /// Nothing that can be trusted.
     None,
 }
@@ -33,6 +35,7 @@ impl Method {
             Self::SkewnessCorrected => "skewness_corrected",
             Self::EmpiricalBernstein => "empirical_bernstein",
             Self::AllOnes => "all_ones",
+            Self::BatchMeans => "batch_means",
             Self::None => "none",
         }
     }
@@ -86,7 +89,7 @@ pub(in crate::hypothesis) fn gate(skewness: f64, n: f64) -> (bool, bool) {
 /// True if the draws have no noise, so that their value is compared with the truth: not if a formula says that they
 /// have, by a variance that is more than cancellation or a skewness, and not if all are 0 or all are 1, as of walks
 /// that have met nothing yet.
-fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
+pub(super) fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
     let scale = claim.expected.abs();
     let skew = claim.skewness.is_some_and(|skewness| !skewness.is_nan());
     let noisy = claim.variance.map_or(skew, |v| v > noise(claim));
