@@ -4,7 +4,7 @@ use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::claims::{FreePathClaims, TransmittanceClaims};
 use freepath_estimators::medium::{Constant, Linear, Sinusoid};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium, TransmittanceEstimator};
-use freepath_harness::agree::{Agreement, Variant, agree};
+use freepath_harness::agree::{Agreement, Other, Variant, agree};
 use freepath_harness::collect::{Watch, observe};
 use freepath_harness::experiment::Experiment;
 use freepath_harness::kind::Ray;
@@ -45,7 +45,7 @@ fn agreement_of(along: Along, truth: &Arc<dyn Medium>, agreement: Agreement) -> 
     let judged = plan.claims.judge(&own);
     assert!(judged.evidence.iter().all(|evidence| evidence.p > Some(1e-4)), "{judged:?}");
     let other = agreement.setting(truth).expect("there is such a setting");
-    let variant = Variant { agreement, experiment: along.ray(Ray::of(&other)) };
+    let variant = Variant { other: Other::Setting(agreement), experiment: along.ray(Ray::of(&other)) };
     let compared = agree(&subject, &plan, &variant, &own, 4, 0..BLOCKS, &watch).expect("it draws");
     assert!(compared.facts.is_empty() && compared.evidence.name == agreement.test(), "{:?}", compared.facts);
     compared.evidence

@@ -4,10 +4,12 @@ use crate::number;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
+mod agree;
 mod check;
 mod microscope;
 mod soak;
 
+pub(crate) use agree::Agree;
 pub(crate) use check::Check;
 pub(crate) use microscope::Microscope;
 pub(crate) use soak::Soak;
@@ -34,6 +36,8 @@ pub(crate) enum Verb {
     Run(Run),
     /// Judge a file of samples against the medium of a case, and write a report.
     Check(Check),
+    /// Compare two files of samples, whose truth nobody knows, and write a report.
+    Agree(Agree),
     /// Print and plot the medium of cases: mu, majorant, tau and T.
     Medium(Medium),
     /// Bound the bias of subjects far below the noise, by scrambled Sobol points.
@@ -175,6 +179,11 @@ pub(crate) struct Report {
     /// The folder that the report is written to [default: that of the results].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+/// A value that a case would name.
+fn named<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_value(text.into()).map_err(|why| why.to_string())
 }
 
 /// Use of colour.

@@ -1,5 +1,6 @@
 //! One command per file. Each gives the exit code, or the error that it met.
 
+pub(crate) mod agree;
 pub(crate) mod check;
 pub(crate) mod describe;
 pub(crate) mod list;

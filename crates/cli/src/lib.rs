@@ -102,6 +102,7 @@ fn dispatch(verb: &Verb, color: When) -> Result<u8, CommandError> {
     match verb {
         Verb::Run(args) => cmd::run::run(args, color),
         Verb::Check(args) => cmd::check::check(args, color),
+        Verb::Agree(args) => cmd::agree::agree(args, color),
         Verb::Medium(args) => cmd::medium::medium(args, color),
         Verb::Microscope(args) => cmd::microscope::microscope(args, color),
         Verb::Power(args) => cmd::power::power(args, color),

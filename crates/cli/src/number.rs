@@ -30,6 +30,12 @@ pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| format!("must be a number of seconds from {least} to {most}"))
 }
 
+/// The length of a ray.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse().ok().filter(|x: &f64| *x > 0.0 && x.is_finite());
+    length.ok_or_else(|| "must be a finite number above 0".into())
+}
+
 /// Points of a net.
 pub(crate) fn points(text: &str) -> Result<u32, String> {
     let points = text.parse().ok().filter(|n: &u32| n.is_power_of_two() && (16..=MOST_POINTS).contains(n));

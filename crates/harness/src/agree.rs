@@ -15,7 +15,7 @@ use crate::subject::Subject;
 use freepath_estimators::Medium;
 use freepath_statistics::claim::{Agreed, Comparable};
 use freepath_statistics::fold::Tallies;
-use freepath_statistics::{Evidence, Fact};
+use freepath_statistics::{Evidence, Fact, Judged};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -69,10 +69,51 @@ impl Agreement {
     }
 }
 
-/// The other setting of one agreement.
+/// What a subject is compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Other {
+    /// Itself in another setting.
+    Setting(Agreement),
+    /// Another file of samples, which is judged beside it.
+    Samples {
+        /// Draws of its stage 1.
+        draws: u64,
+        /// The most by which its numbers may be off.
+        tolerance: f64,
+    },
+}
+
+impl Other {
+    /// The name of the test.
+    #[must_use]
+    pub fn test(self) -> &'static str {
+        match self {
+            Self::Setting(agreement) => agreement.test(),
+            Self::Samples { .. } => "agree_samples",
+        }
+    }
+
+    /// The test, and the blocks that the other draws in the stage of `blocks`: a file has its own.
+    fn of(self, subject: &Subject, blocks: Range<u64>) -> (Agreed, Range<u64>) {
+        let name = self.test();
+        match self {
+            Self::Setting(agreement) => {
+                let (whole_law, slack) = (agreement.keeps_the_law(), 2.0 * subject.tolerance);
+                (Agreed { name, whole_law, slack }, blocks)
+            }
+            Self::Samples { draws, tolerance } => {
+                let first = Subject::blocks(draws);
+                let own = if blocks.start == 0 { 0..first } else { first..3 * first };
+                (Agreed { name, whole_law: true, slack: subject.tolerance + tolerance }, own)
+            }
+        }
+    }
+}
+
+/// What a subject must agree with.
 pub struct Variant<'a> {
-    /// The agreement.
-    pub agreement: Agreement,
+    /// The setting, or the other subject.
+    pub other: Other,
     /// The subject there.
     pub experiment: Box<dyn Experiment + 'a>,
 }
@@ -83,6 +124,8 @@ pub struct Compared {
     pub evidence: Evidence,
     /// Facts against a claim in the other setting.
     pub facts: Vec<Fact>,
+    /// Of another subject, what its own claims say; nothing of a setting, which is of the same subject.
+    pub own: Judged,
 }
 
 /// Draws `subject` in the setting of `variant` and compares it with what was tallied in its own.
@@ -98,16 +141,24 @@ pub fn agree(
     blocks: Range<u64>,
     watch: &Watch,
 ) -> Result<Compared, Stopped> {
-    let key = subject.key ^ crate::hash::hash(variant.agreement.test());
+    let key = subject.key ^ crate::hash::hash(variant.other.test());
+    let (test, blocks) = variant.other.of(subject, blocks);
     let there = Subject { experiment: &*variant.experiment, key, ..subject.clone() };
     let claimed = there.plan();
     let there = own.assumed.map_or(there.clone(), |probable| there.assuming(probable));
     let other = collect(&there, &claimed.claims.folds, seed, blocks, watch)?.tallies;
-    let test = Agreed {
-        name: variant.agreement.test(),
-        whole_law: variant.agreement.keeps_the_law(),
-        slack: 2.0 * subject.tolerance,
-    };
     let evidence = Comparable::agree(plan.claims.comparable(own), claimed.claims.comparable(&other), &test);
-    Ok(Compared { evidence, facts: claimed.claims.judge(&other).facts })
+    let Judged { evidence: tests, facts, gates } = claimed.claims.judge(&other);
+    let own = match variant.other {
+        Other::Setting(_) => Judged::default(),
+        Other::Samples { .. } => {
+            Judged { evidence: tests.into_iter().map(of_other).collect(), gates, facts: Vec::new() }
+        }
+    };
+    Ok(Compared { evidence, facts, own })
+}
+
+/// A test of the other subject, under a name of its own.
+fn of_other(test: Evidence) -> Evidence {
+    Evidence { name: format!("other_{}", test.name), ..test }
 }

@@ -1,4 +1,4 @@
-use super::Output;
+use super::{Output, named};
 use crate::number;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -57,9 +57,4 @@ pub(crate) struct Check {
     /// The destination of the results.
     #[command(flatten)]
     pub(crate) output: Output,
-}
-
-/// A value that a case would name.
-fn named<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
-    serde_json::from_value(text.into()).map_err(|why| why.to_string())
 }

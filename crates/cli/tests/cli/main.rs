@@ -1,5 +1,6 @@
 //! The binary from outside: what it takes, what it prints, what it writes, and its exit codes.
 
+mod agree;
 mod input;
 mod medium;
 mod output;

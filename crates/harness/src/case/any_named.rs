@@ -5,7 +5,7 @@ use super::command::Command;
 use super::named::Named;
 use super::preparing::Preparing;
 use super::sample_file::AnySamples;
-use crate::agree::Variant;
+use crate::agree::{Other, Variant};
 use crate::experiment::Experiment;
 use crate::fault::{ListedSampler, Target};
 use crate::kind::{Kind, Outline, Owned, Placed, PlacedSource};
@@ -160,7 +160,10 @@ impl<K: Kind> Named<K> {
                 K::accepts(K::borrowed(sampler), &scene).map_err(unfit)?;
             }
             let source = self.placed(sampler.cloned(), None);
-            variants.push(Variant { agreement, experiment: Box::new(Placed::<K> { source, scene }) });
+            variants.push(Variant {
+                other: Other::Setting(agreement),
+                experiment: Box::new(Placed::<K> { source, scene }),
+            });
         }
         Ok(variants)
     }

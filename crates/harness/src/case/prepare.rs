@@ -59,11 +59,17 @@ impl PreparedSubject {
         1 + self.variants.len() as u64
     }
 
+    /// The most by which its numbers may be off, as the file or program that they come from implies.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.source.as_deref().map_or(0.0, Origin::tolerance)
+    }
+
     /// The subject that is run.
     #[must_use]
     pub fn runnable<'a>(&'a self, case: &'a Case) -> Subject<'a> {
         let source = self.source.as_deref();
-        let implied = source.map_or(0.0, Origin::tolerance);
+        let implied = self.tolerance();
         let bits = source.map_or(UNIFORM_BITS, Origin::resolution_bits);
         Subject {
             key: self.key,

@@ -2,7 +2,7 @@
 
 use super::case_folder::CaseFolder;
 use super::{CaseError, CaseFile};
-use crate::agree::{Agreement, Variant};
+use crate::agree::{Agreement, Other, Variant};
 use crate::fault::{Fault, ListedSampler, Target};
 use crate::kind::{Kind, Owned, Refusal};
 use crate::scene::Scene;
@@ -77,7 +77,7 @@ impl Preparing<'_> {
         if external {
             return Err("samples that are made elsewhere cannot be drawn in another setting (leave `agree` out)");
         }
-        if before.iter().any(|variant| variant.agreement == agreement) {
+        if before.iter().any(|variant| variant.other == Other::Setting(agreement)) {
             return Err("an agreement stands there twice (once is enough)");
         }
         Ok(())

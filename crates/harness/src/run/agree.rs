@@ -30,17 +30,19 @@ impl Settings<'_> {
     ) -> Result<(), Cancelled> {
         for variant in &self.prepared.variants {
             match agree(self.subject, self.plan, variant, own, self.seed, blocks.clone(), watch) {
-                Ok(Compared { evidence, facts }) => {
+                Ok(Compared { evidence, facts, own }) => {
                     if evidence.p.is_none() {
                         let why = format!("{}: {}", evidence.name, evidence.note);
                         judged.gates.push((Reason::HeavyTail, why));
                     }
                     judged.evidence.push(evidence);
                     judged.facts.extend(facts);
+                    judged.evidence.extend(own.evidence);
+                    judged.gates.extend(own.gates);
                 }
                 Err(Stopped::Cancelled) => return Err(Cancelled),
                 Err(Stopped::Subject(why)) => {
-                    let why = format!("in the setting of {}: {why}", variant.agreement.test());
+                    let why = format!("in the setting of {}: {why}", variant.other.test());
                     judged.facts.push(Fact::new(check::SUBJECT.name, Reason::SubjectError, why));
                 }
             }

@@ -1,6 +1,7 @@
 //! Two samples of one subject in two settings: no truth is needed.
 
 use super::chi_square::lessened;
+use super::clt_gate::clt_gate;
 use super::mean::{corrected_p, gate};
 use super::record::Test;
 use crate::evidence::{Alone, Evidence, Null, NullClass};
@@ -11,8 +12,8 @@ use freepath_results::Reason;
 
 mod bernstein;
 
-/// The records of the test in its four other settings.
-pub(super) const TESTS: [Test; 4] = [
+/// The records of the test in its four other settings, and with another file.
+pub(super) const TESTS: [Test; 5] = [
     of(
         "agree_majorant",
         "Two samples, no truth: the subject under its majorant and under twice as much. The means by Welch's statistic under the gates \
@@ -24,6 +25,10 @@ of skewness, exact for 0/1; a law by its escapes (exact) and by chi-square over 
     ),
     of("agree_grid", "As agree_majorant: in a homogeneous medium and in a grid of equal nodes."),
     of("agree_reversed", "As agree_majorant: along the ray and back; of a law, the escapes alone."),
+    of(
+        "agree_samples",
+        "As agree_majorant: a file of samples and another one (`freepath agree`), both made elsewhere.",
+    ),
 ];
 
 /// P-values are uniform of means that skewness allows, conservative of exact ones, of laws and of bounded draws.
@@ -33,8 +38,8 @@ const fn of(name: &'static str, words: &'static str) -> Test {
 mean:   T = (mean_a - mean_b) / sqrt(v_a / n + v_b / m); hypergeometric for 0/1, given all ones
 law:    X = sum (a_i / a - b_i / b)^2 a b / (a_i + b_i) over cells of collided draws, and the escapes: twice the smaller p
 ```
-Gate:    made where the case has `agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
-         where the range is known; else no p-value. Cells hold 128 draws of both together.
+Gate:    made where the case has `agree`, or by `freepath agree`. |skewness| of both at most 0.03 sqrt n, or 0.1 sqrt n corrected; else empirical Bernstein
+         where the range is known; else no p-value, as of a tail or of hits that `mean` would not take. Cells hold 128 draws of both together.
 Alone:   by the escapes, by 0/1 draws, and by empirical Bernstein where a range is claimed.
 Rejects: as biased or wrong_law: the subject depends on what must not matter. Needs no optical depth.
 Source:  Welch (1938), Hall (1992), Fisher (1935), Maurer and Pontil (2009).";
@@ -154,8 +159,9 @@ pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evide
     if a.constant() && b.constant() && telling(a) && telling(b) {
         return evidence(apart, f64::from(u8::from(apart.abs() <= 0.0))).under(Null::Conservative);
     }
+    let doubtful = |sums: &PowerSums| sums.constant() || (sample.range.is_none() && clt_gate(sums).is_some());
     let gates =
-        [a, b].map(|sums| if sums.constant() { (false, false) } else { gate(sums.skewness(), sums.n as f64) });
+        [a, b].map(|sums| if doubtful(sums) { (false, false) } else { gate(sums.skewness(), sums.n as f64) });
     let (t, null) = (if apart == 0.0 { 0.0 } else { apart / error }, Null::lessened(sample.slack, error));
     match sample.range {
         _ if gates.iter().all(|gate| gate.0) => evidence(t, normal_two_sided(t)).under(null),
@@ -163,8 +169,13 @@ pub fn agree_mean(name: &str, [a, b]: [&PowerSums; 2], sample: &Sample) -> Evide
         Some(range) if [a, b].iter().all(|sums| sums.least >= range.0 && sums.greatest <= range.1) => {
             evidence(apart, bernstein_p([a, b], range, apart)).under(Null::Conservative)
         }
-        _ => Evidence::withheld(name, t, Reason::Biased, "the draws are too skew, and no range is known")
-            .alone_by(p_alone),
+        _ => Evidence::withheld(
+            name,
+            t,
+            Reason::Biased,
+            "the draws are too skew, rare or heavy, and no range is known",
+        )
+        .alone_by(p_alone),
     }
 }
 

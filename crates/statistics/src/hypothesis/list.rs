@@ -39,6 +39,7 @@ pub const TESTS: &[Test] = &[
     agree::TESTS[1],
     agree::TESTS[2],
     agree::TESTS[3],
+    agree::TESTS[4],
     pdf_integral::TEST,
 ];
 
