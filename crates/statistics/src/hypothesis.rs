@@ -59,7 +59,10 @@ pub use kuiper::kuiper;
 pub use lag::{lag, lag_observed, lags};
 pub use list::TESTS;
 pub use lookups::{BlockLookups, Cost, lookups};
-pub use mean::{Interval, Method, batch_mean, detectable_mean, interval_at, mean, undecided, unseen_noise, within};
+pub use mean::{
+    Interval, Method, batch_mean, detectable_batch_mean, detectable_mean, interval_at, mean, undecided,
+    unseen_noise, within,
+};
 pub use mean_claim::MeanClaim;
 pub use neyman::neyman;
 pub use null_positions::null_positions;

@@ -81,6 +81,7 @@ pub(crate) fn estimates() -> Vec<(&'static str, Reason, Judgement)> {
         ("lookups", Reason::WrongCost, of_estimate(&doubled, 400_000)),
         ("poisson_count", Reason::WrongCost, of(more, 200_000)),
         ("mean", Reason::Biased, bias),
+        ("bounded_mean", Reason::Biased, of(|path, _| weighing(path, 0.95), 400_000)),
         ("second_moment", Reason::WrongVariance, spread),
     ]
 }

@@ -1,7 +1,7 @@
 //! Distances of a wrong law.
 
 use crate::joint::Stratified;
-use crate::path::{Draw, MU, collided, escape, of_path, path, right, sampler};
+use crate::path::{Draw, MU, collided, escape, of_path, of_rows_that_depend, path, right, sampler};
 use freepath_draws::random::uniform;
 use freepath_estimators::FreePath;
 use freepath_results::Reason;
@@ -41,8 +41,10 @@ pub(crate) fn laws() -> Vec<(&'static str, Reason, Judgement)> {
         path(if t < 2e-4 { t + 2e-4 } else { t })
     });
     let even = of_path(&Stratified, few);
+    let shifted = of_rows_that_depend(&sampler(|_, rng| path(right(rng) / 0.9)), few);
     let repeated = law(|_, rng| path(if uniform(rng) < 3e-4 { 0.25 } else { right(rng) }));
     vec![
+        ("batch_shares", Reason::WrongLaw, shifted),
         ("atom", Reason::WrongLaw, atom),
         ("chi_square_16", Reason::WrongLaw, lobe),
         ("chi_square_64", Reason::WrongLaw, narrow),

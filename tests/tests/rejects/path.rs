@@ -6,6 +6,7 @@ use freepath_estimators::medium::Constant;
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Medium};
 use freepath_harness::kind::Ray;
 use freepath_harness::subject::Subject;
+use freepath_statistics::claim::Withdrawal;
 use freepath_tests::{Judgement, free_path, judgement};
 use rand::Rng;
 
@@ -70,4 +71,12 @@ pub(crate) fn of_path(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
     let truth = medium();
     let ray = Ray::of(&truth);
     judgement(&Subject { draws, ..Subject::new(&free_path(sampler, ray)) }, 5)
+}
+
+/// The same where nobody claims that rows are independent.
+pub(crate) fn of_rows_that_depend(sampler: &dyn FreePathSampler, draws: u64) -> Judgement {
+    let truth = medium();
+    let ray = Ray::of(&truth);
+    let without = &[Withdrawal::Independent];
+    judgement(&Subject { draws, without, ..Subject::new(&free_path(sampler, ray)) }, 5)
 }

@@ -1,7 +1,7 @@
 use super::mean::{condition, judge_mean, with_interval};
 use super::{Claim, Summary, Withdrawal};
 use crate::fold::{Event, EventSums, FoldId, Tallies};
-use crate::hypothesis::{self, MeanClaim};
+use crate::hypothesis::{self, MeanClaim, detectable_mean};
 use crate::judged::Judged;
 use crate::tally::PowerSums;
 use freepath_results::{ChannelResult, ClaimResult, Reason};
@@ -50,7 +50,8 @@ impl Claim for EventClaim {
         };
         let sums = power_sums(tallies, self.sums);
         let (_, interval) = hypothesis::mean(&self.name, &sums, &self.mean, Reason::Biased);
-        let mean = with_interval(&self.mean, &sums, &interval, &into.detection);
+        let detectable = detectable_mean(&sums, &self.mean, &into.detection);
+        let mean = with_interval(&self.mean, &sums, &interval, detectable);
         into.channels.push(ChannelResult { channel: self.channel, event: event.into(), mean });
     }
 }

@@ -1,6 +1,8 @@
 use super::record::Test;
 use super::{
-    agree, anderson_darling, atom, auxiliary, batch_shares, berk_jones, bounded_mean, breaks, chi_square, coleman, cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs, pdf_integral, poisson_count, scan, second_moment, series, ties, too_even, whole_law,
+    agree, anderson_darling, atom, auxiliary, batch_shares, berk_jones, bounded_mean, breaks, chi_square, coleman,
+    cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs,
+    pdf_integral, poisson_count, scan, second_moment, series, ties, too_even, whole_law,
 };
 
 /// Every test, in the order in which they are told.

@@ -9,7 +9,8 @@ use freepath_results::{MeanResult, Real, Reason, RunningSeries};
 pub(super) fn mean_result(claim: &WeightClaim, sums: &PowerSums, detection: &Detection) -> MeanResult {
     let (_, interval) = mean("mean", sums, &claim.truth, Reason::Biased);
     let own = claim.own.map(|own| Real(own.expected));
-    MeanResult { own, ..with_interval(&claim.truth, sums, &interval, detection) }
+    let detectable = detectable_mean(sums, &claim.truth, detection);
+    MeanResult { own, ..with_interval(&claim.truth, sums, &interval, detectable) }
 }
 
 /// The result of a mean, without what only that of a column has.
@@ -17,7 +18,7 @@ pub(in crate::claim) fn with_interval(
     claim: &MeanClaim,
     sums: &PowerSums,
     interval: &Interval,
-    detection: &Detection,
+    detectable: f64,
 ) -> MeanResult {
     MeanResult {
         expected: Real(claim.expected),
@@ -27,7 +28,7 @@ pub(in crate::claim) fn with_interval(
         low: Real(interval.low),
         high: Real(interval.high),
         bound: Real(interval.bound()),
-        detectable: Real(detectable_mean(sums, claim, detection)),
+        detectable: Real(detectable),
         variance: Real(sums.variance()),
         variance_expected: claim.variance.map(Real),
         skewness: Real(sums.skewness()),

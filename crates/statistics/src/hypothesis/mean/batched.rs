@@ -1,11 +1,12 @@
 use super::difference::{ROUNDING, bias, excess, slack};
 use super::interval::Interval;
 use super::method::{Method, exact, gate, noise_free, skewness};
+use crate::detection::Detection;
 use crate::evidence::{Evidence, Null, REPORTING_LEVEL};
 use crate::hypothesis::atom::standardised;
 use crate::hypothesis::clt_gate::{clt_gate, withheld};
 use crate::hypothesis::mean_claim::MeanClaim;
-use crate::special::{normal_quantile, student_t_quantile, student_t_two_sided};
+use crate::special::{student_t_quantile, student_t_two_sided};
 use crate::tally::{BatchMeans, BatchSums, PowerSums};
 use freepath_results::Reason;
 
@@ -36,11 +37,7 @@ pub fn batch_mean(
         let (same, half) = (excess.abs() <= 0.0, ROUNDING * claim.expected.abs() + claim.slack);
         let evidence = Evidence::new(name, excess, None, f64::from(u8::from(same)), reason);
         let (low, high) = (bias(sums, claim) - half, bias(sums, claim) + half);
-        return (
-            evidence.under(Null::Conservative),
-            Interval { method: Method::Exact, low, high, detectable: half },
-            None,
-        );
+        return (evidence.under(Null::Conservative), Interval { method: Method::Exact, low, high }, None);
     }
     match doubt(sums, batches, claim).map_or_else(|| of_means(batches, 0), Err) {
         Ok(means) => {
@@ -61,12 +58,7 @@ pub fn batch_mean(
             )
         }
         Err((why, words)) => {
-            let open = Interval {
-                method: Method::None,
-                low: f64::NEG_INFINITY,
-                high: f64::INFINITY,
-                detectable: f64::INFINITY,
-            };
+            let open = Interval { method: Method::None, low: f64::NEG_INFINITY, high: f64::INFINITY };
             (Evidence::withheld(name, f64::NAN, reason, words.clone()), open, Some((why, words)))
         }
     }
@@ -75,8 +67,23 @@ pub fn batch_mean(
 /// The interval at the reporting level.
 fn about(bias: f64, error: f64) -> Interval {
     let t = student_t_quantile(BATCHES as f64 - 1.0, 0.5 * REPORTING_LEVEL);
-    let detectable = (t + normal_quantile(1.0 - crate::evidence::POWER)) * error;
-    Interval { method: Method::BatchMeans, low: bias - t * error, high: bias + t * error, detectable }
+    Interval { method: Method::BatchMeans, low: bias - t * error, high: bias + t * error }
+}
+
+/// The bias that [`batch_mean`] would have seen in both stages with the usual power, given its `interval`.
+#[must_use]
+pub fn detectable_batch_mean(
+    interval: &Interval,
+    sums: &PowerSums,
+    claim: &MeanClaim,
+    detection: &Detection,
+) -> f64 {
+    let half = 0.5 * (interval.high - interval.low);
+    if interval.method != Method::BatchMeans {
+        return half; // nothing but rounding and slack, or nothing known
+    }
+    let error = half / student_t_quantile(BATCHES as f64 - 1.0, 0.5 * REPORTING_LEVEL);
+    detection.mean(error * (sums.n as f64).sqrt()) + claim.slack
 }
 
 /// What the rows themselves say against it.

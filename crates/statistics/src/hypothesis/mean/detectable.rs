@@ -20,7 +20,9 @@ pub fn detectable_mean(sums: &PowerSums, claim: &MeanClaim, detection: &Detectio
             bernstein_width(variance, n, range, stage.level) + normal_quantile(1.0 - power) * (variance / n).sqrt()
         }),
         (Method::StudentT | Method::SkewnessCorrected, _) => detection.mean(variance.sqrt()),
-        (Method::None | Method::AllOnes, _) | (Method::EmpiricalBernstein, None) => f64::INFINITY,
+        (Method::None | Method::AllOnes | Method::BatchMeans, _) | (Method::EmpiricalBernstein, None) => {
+            f64::INFINITY
+        }
     };
     beyond + claim.slack
 }

@@ -45,7 +45,9 @@ pub(super) fn interval(sums: &PowerSums, claim: &MeanClaim, method: Method, leve
         }
         (Method::Exact, _) => about(ROUNDING * claim.expected.abs() + claim.slack),
         (Method::EmpiricalBernstein, Some(range)) => about(bernstein_width(sums.variance(), n, range, level)),
-        (Method::None | Method::AllOnes | Method::BatchMeans, _) | (Method::EmpiricalBernstein, None) => about(f64::INFINITY),
+        (Method::None | Method::AllOnes | Method::BatchMeans, _) | (Method::EmpiricalBernstein, None) => {
+            about(f64::INFINITY)
+        }
         (Method::StudentT, _) => about(z * error),
         (Method::SkewnessCorrected, _) => corrected_limits(sums, z, bias, about(z * error)),
     }
