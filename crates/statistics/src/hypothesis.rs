@@ -1,10 +1,12 @@
 //! The tests: tallies in, [`Evidence`](crate::Evidence) out. One test per file.
 
 mod agree;
+mod along;
 mod anderson_darling;
 mod atom;
 mod auxiliary;
 mod batch_shares;
+mod batches;
 mod berk_jones;
 mod bounded_mean;
 mod breaks;
@@ -27,22 +29,28 @@ mod mean;
 mod mean_claim;
 mod neyman;
 mod null_positions;
+mod order;
 mod pairs;
 mod pdf_integral;
+mod period;
 mod poisson_count;
+mod rare_lags;
 mod record;
 mod scan;
 mod second_moment;
+mod sequence;
 mod series;
 mod ties;
 mod too_even;
 mod whole_law;
 
 pub use agree::{Sample, agree_atom, agree_law, agree_mean};
+pub use along::{along, along_escapes};
 pub use anderson_darling::anderson_darling;
 pub use atom::{atom, nearest};
 pub use auxiliary::auxiliary;
 pub use batch_shares::batch_shares;
+pub use batches::batches;
 pub use berk_jones::{BerkJones, berk_jones};
 pub use bounded_mean::bounded_mean;
 pub use breaks::breaks;
@@ -66,9 +74,12 @@ pub use mean::{
 pub use mean_claim::MeanClaim;
 pub use neyman::neyman;
 pub use null_positions::null_positions;
+pub use order::order;
 pub use pairs::pairs;
 pub use pdf_integral::{PdfMass, pdf_integral};
+pub use period::period;
 pub use poisson_count::poisson_count;
+pub use rare_lags::rare_lags;
 pub use record::Test;
 pub use scan::scan;
 pub use second_moment::{SecondMoment, second_moment};

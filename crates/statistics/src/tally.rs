@@ -10,6 +10,7 @@ mod extremes;
 mod flanks;
 mod lag;
 mod nulls;
+mod sequence;
 mod smallest;
 mod sums;
 mod tail;
@@ -26,6 +27,10 @@ pub use flanks::{FLANKS, Flank, FlankTally, Flanks, Side};
 pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores};
 pub use nulls::NullTally;
+pub use sequence::{
+    BatchSums, BlockRows, Circular, Correlations, DyadicBatches, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
+    MOST_ROWS, Prefix, ScoreMoments, Scored, Sequence, SequencePart,
+};
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
 pub use tail::Tail;

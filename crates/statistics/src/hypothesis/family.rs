@@ -16,6 +16,7 @@ const PREFIXES: [&str; 4] = ["own_", "second_rank_", "joint_", "other_"];
 #[must_use]
 pub fn family(name: &str) -> &str {
     let name = PREFIXES.iter().find_map(|prefix| name.strip_prefix(prefix)).unwrap_or(name);
+    let name = of_channel(name).unwrap_or(name);
     if test(name).is_some() {
         name
     } else if name.starts_with("atom_") {
@@ -29,6 +30,12 @@ pub fn family(name: &str) -> &str {
     } else {
         name
     }
+}
+
+/// The test of the weights of a channel: `channel_0_order` is an `order`.
+fn of_channel(name: &str) -> Option<&str> {
+    let rest = name.strip_prefix("channel_")?.trim_start_matches(|c: char| c.is_ascii_digit());
+    rest.strip_prefix('_')
 }
 
 /// True if the p-values of test `family` may follow a law of this class.
@@ -56,6 +63,7 @@ mod tests {
             ["own_atom", "scatter_0_bin_3", "surface_2", "second_moment_scatter_1", "chi_square_16", "atom_1"];
         let to = ["atom", "mean", "mean", "second_moment", "chi_square_16", "atom"];
         assert_eq!(of.map(family), to);
+        assert_eq!(["channel_0_order", "channel_12_along_escapes"].map(family), ["order", "along_escapes"]);
         assert_eq!(["second_rank_kuiper", "joint_chi_square_64"].map(family), ["kuiper", "chi_square_64"]);
     }
 

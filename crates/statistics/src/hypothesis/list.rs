@@ -1,8 +1,6 @@
 use super::record::Test;
 use super::{
-    agree, anderson_darling, atom, auxiliary, batch_shares, berk_jones, bounded_mean, breaks, chi_square, coleman,
-    cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, pairs,
-    pdf_integral, poisson_count, scan, second_moment, series, ties, too_even, whole_law,
+    agree, along, anderson_darling, atom, auxiliary, batch_shares, batches, berk_jones, bounded_mean, breaks, chi_square, coleman, cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman, null_positions, order, pairs, pdf_integral, period, poisson_count, rare_lags, scan, second_moment, series, ties, too_even, whole_law,
 };
 
 /// Every test, in the order in which they are told.
@@ -28,6 +26,12 @@ pub const TESTS: &[Test] = &[
     lag::TEST,
     lag::FURTHER,
     pairs::TEST,
+    order::TEST,
+    rare_lags::TEST,
+    period::TEST,
+    batches::TEST,
+    along::TEST,
+    along::ESCAPES,
     null_positions::TEST,
     series::TEST,
     auxiliary::TEST,
