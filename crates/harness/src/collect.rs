@@ -142,13 +142,21 @@ pub(crate) fn collect(
         return external::collect(source, subject, folds, seed, blocks, watch);
     }
     let (workers, mut collected, mut start) = (Workers::new(), Collected::new(folds), blocks.start);
+    let key = |block| Key { seed, subject: subject.key, block };
+    let mut later = None;
+    if folds.wait_for_first() && !blocks.is_empty() {
+        let first = workers.with(subject, folds, |worker| worker.first(subject, folds, key(start)));
+        let (block, after) = first.map_err(Stopped::Subject)?;
+        collected.fold(folds, &block);
+        (watch.progress)(subject.rows as u64);
+        (later, start) = (Some(after), start + 1);
+    }
+    let folds = later.as_ref().unwrap_or(folds);
     let run = |block| {
-        let key = Key { seed, subject: subject.key, block };
-        let nth = block - blocks.start;
         if watch.is_cancelled() {
             return Err(String::new());
         }
-        workers.with(subject, folds, |worker| worker.run(subject, folds, key, nth))
+        workers.with(subject, folds, |worker| worker.run(subject, folds, key(block), block - blocks.start))
     };
     while start < blocks.end {
         let after = start + WAVE;

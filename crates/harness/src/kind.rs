@@ -14,6 +14,7 @@ use list::kinds;
 
 mod batches;
 mod body;
+mod column_order;
 mod escaping;
 mod events;
 mod in_scene;

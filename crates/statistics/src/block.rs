@@ -25,6 +25,11 @@ impl Block<'_> {
     pub fn is_early(&self) -> bool {
         is_early(self.nth)
     }
+
+    /// The place of its first row in the range: all blocks but the last have as many rows.
+    pub(crate) fn first_row(&self) -> u64 {
+        self.nth * self.draws.rows() as u64
+    }
 }
 
 /// True if the block at this place of a range is among the first.
@@ -39,6 +44,8 @@ pub struct Scratch {
     indices: Vec<Vec<u32>>,
     /// A column with some rows set to 0.
     pub(crate) masked: Vec<f64>,
+    /// The scores of a column.
+    pub(crate) scores: Vec<i16>,
 }
 
 /// The place in [`Scratch`] of the fine cells of one column under one law: found once per block, read by many folds.

@@ -74,7 +74,7 @@ pub use lookups::LookupsClaim;
 pub use mean::{WeightClaim, bets, power_sums};
 pub use noise_free::NoiseFree;
 pub use null_positions::NullPositionsClaim;
-pub use order::{ObservedOrder, Order};
+pub use order::{ColumnOrder, ObservedOrder, Order};
 pub use own_law::OwnLaw;
 pub use own_mean::OwnMean;
 pub use path::{CountedPath, Escaping, Path};

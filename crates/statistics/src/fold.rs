@@ -23,6 +23,7 @@ mod lookups;
 mod monotone;
 mod nulls;
 mod places;
+mod ranked;
 mod strays;
 mod ties;
 mod unit_weight;
@@ -44,6 +45,7 @@ pub use lookups::{LookupCounts, Lookups};
 pub use monotone::{Monotone, Steps};
 pub use nulls::Nulls;
 pub use places::{Inside, PlaceCounts, Places};
+pub use ranked::RankedColumn;
 pub use strays::{ProbableEscape, Repeated, Sentinel, Short, StrayCounts, Strays};
 pub use ties::Ties;
 pub use unit_weight::UnitWeight;
@@ -95,6 +97,22 @@ pub trait Fold: Send + Sync + 'static {
         scratch: &mut Scratch,
         counts: &mut Self::Counts,
     ) -> Result<<Self::Sums as Ordered>::Part, MissingColumn>;
+
+    /// True if the first block of a range must be tallied before all others. Provided: it need not.
+    fn waits_for_first(&self) -> bool {
+        false
+    }
+
+    /// The fold that tallies the blocks after the first of their range. Provided: the same.
+    ///
+    /// # Errors
+    /// If the block lacks a column that the fold reads.
+    fn after_first(&self, _first: &Block) -> Result<Option<Self>, MissingColumn>
+    where
+        Self: Sized,
+    {
+        Ok(None)
+    }
 
     /// The watch on the look-ups of the block at place `nth` while it is drawn. Provided: none.
     fn watch<'a>(&self, _nth: u64, _counts: &'a mut Self::Counts) -> Option<&'a mut dyn LookupWatch> {

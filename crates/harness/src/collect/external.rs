@@ -65,6 +65,29 @@ impl Worker {
     }
 }
 
+/// The first block of a range, and the folds of those after it.
+struct First {
+    block: BlockParts,
+    later: Folds,
+}
+
+impl Worker {
+    /// The first block of a range; none if there is no row.
+    fn take_first(
+        &mut self,
+        subject: &Subject,
+        folds: &Folds,
+        reader: &Mutex<Reader>,
+        first: u64,
+    ) -> Option<Result<First, Unread>> {
+        let read = self.take(subject, folds, reader, first)?;
+        Some(read.and_then(|block| {
+            let later = self.folds_after_first(folds, block.number);
+            later.map(|later| First { block, later }).map_err(|why| Unread { block: first, why })
+        }))
+    }
+}
+
 /// Whoever is cancelled may well fail.
 fn failed(why: String, watch: &Watch) -> Stopped {
     if watch.is_cancelled() { Stopped::Cancelled } else { Stopped::Subject(why) }
@@ -91,6 +114,19 @@ pub(super) fn collect(
     let rows = source.open(&wanted).map_err(|why| failed(why, watch))?;
     let (workers, mut collected) = (Workers::new(), Collected::new(folds));
     let reader = Mutex::new(Reader { rows, blocks: blocks.clone() });
+    let mut later = None;
+    if folds.wait_for_first() {
+        let first =
+            workers.with(subject, folds, |worker| worker.take_first(subject, folds, &reader, blocks.start));
+        if let Some(First { block, later: after }) =
+            first.transpose().map_err(|unread| failed(unread.why, watch))?
+        {
+            collected.fold(folds, &block);
+            (watch.progress)(collected.tallies.draws);
+            later = Some(after);
+        }
+    }
+    let folds = later.as_ref().unwrap_or(folds);
     let take = |_| {
         if watch.is_cancelled() {
             return None;

@@ -54,6 +54,26 @@ impl Worker {
         self.tally(subject, folds, &Drawn { number, nth, audit, seconds })
     }
 
+    /// The first block of its range, and the folds of those after it.
+    pub(super) fn first(
+        &mut self,
+        subject: &Subject,
+        folds: &Folds,
+        key: Key,
+    ) -> Result<(BlockParts, Folds), String> {
+        let block = self.run(subject, folds, key, 0)?;
+        Ok((block, self.folds_after_first(folds, key.block)?))
+    }
+
+    /// The folds of the blocks after the one that was folded last, the first of its range.
+    ///
+    /// # Errors
+    /// If the block lacks a column that a claim reads, in words.
+    pub(super) fn folds_after_first(&self, folds: &Folds, number: u64) -> Result<Folds, String> {
+        let first = Block { draws: &self.draws, number, nth: 0, audit: None };
+        folds.after_first(&first).map_err(|missing| missing.to_string())
+    }
+
     /// Folds the draws of a block.
     ///
     /// # Errors

@@ -2,6 +2,7 @@ use super::Declared;
 use crate::blocks::BLOCK;
 use freepath_draws::random::UNIFORM_BITS;
 use freepath_statistics::claim::{BiasBound, Withdrawal};
+use freepath_statistics::tally::MOST_ROWS;
 
 /// Draws of stage 1 unless a case says otherwise.
 pub const DRAWS: u64 = 1_000_000;
@@ -55,7 +56,19 @@ impl Default for Terms<'_> {
     }
 }
 
+/// Fewest rows of a subject that is driven here in which order is looked for, if it has them: what is spent on it is shared by all.
+const FEWEST_ORDERED: u64 = 1 << 15;
+
 impl Terms<'_> {
+    /// Rows at the start of a stage in which order is looked for, at most: of draws that are made here the sixteenth part is enough, since
+    /// they are cheap and their order is known to come from one generator.
+    #[must_use]
+    pub(crate) fn ordered_rows(&self, external: bool) -> u64 {
+        let part = self.draws / 16;
+        let here = if part > FEWEST_ORDERED { part } else { FEWEST_ORDERED };
+        if external || here > MOST_ROWS { MOST_ROWS } else { here }
+    }
+
     /// True if the claim that `withdrawal` would take back still stands.
     #[must_use]
     pub(crate) fn stands(&self, withdrawal: Withdrawal) -> bool {

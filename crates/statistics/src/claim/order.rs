@@ -1,12 +1,13 @@
+use super::law::prefixed;
 use super::{Claim, Withdrawal};
-use crate::fold::{Cells, FoldId, Lags, Tallies};
+use crate::fold::{Cells, FoldId, Lags, RankedColumn, Tallies};
 use crate::hypothesis;
 use crate::judged::Judged;
-use crate::tally::Scores;
+use crate::tally::{Circular, Scores, Sequence};
 use freepath_results::ClaimResult;
 use std::sync::Arc;
 
-/// Draws that are a few rows apart are independent, in ranks under a law that they follow.
+/// Draws are independent of one another and alike along the run, in ranks under a law that they follow.
 pub struct Order {
     /// The rank of each cell.
     pub scores: Arc<Scores>,
@@ -18,7 +19,10 @@ pub struct Order {
 
 impl Claim for Order {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new("independent", "draws that are a few rows apart are independent"))
+        Some(ClaimResult::new(
+            "independent",
+            "draws are independent of one another, near and far, and alike along the run",
+        ))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
@@ -30,10 +34,11 @@ impl Claim for Order {
         into.evidence.push(hypothesis::lag(&self.scores, lags, cells));
         into.evidence.push(hypothesis::lags(&self.scores, lags, cells));
         into.evidence.push(hypothesis::pairs(lags));
+        judge_order(tallies.sums(self.lags), RareRows::of(&self.scores), into);
     }
 }
 
-/// Neighbouring draws are uncorrelated, whatever their law: ranks only say what is multiplied.
+/// Draws are uncorrelated and alike along the run, whatever their law: ranks only say what is multiplied.
 pub struct ObservedOrder {
     /// The rank of each cell.
     pub scores: Arc<Scores>,
@@ -45,7 +50,10 @@ pub struct ObservedOrder {
 
 impl Claim for ObservedOrder {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new("uncorrelated", "neighbouring draws are uncorrelated, whatever their law"))
+        Some(ClaimResult::new(
+            "uncorrelated",
+            "draws are uncorrelated and alike along the run, whatever their law",
+        ))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {
@@ -55,5 +63,67 @@ impl Claim for ObservedOrder {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let (lags, cells) = (tallies.counts(self.lags), tallies.counts(self.cells));
         into.evidence.push(hypothesis::lag_observed(&self.scores, lags, cells));
+        judge_order(tallies.sums(self.lags), RareRows::of(&self.scores), into);
+    }
+}
+
+/// The rows of a column whose law is not known are independent of one another and alike along the run.
+pub struct ColumnOrder {
+    /// The words before the names of its tests, if others of the subject have the same.
+    pub prefix: String,
+    /// The column's order.
+    pub column: FoldId<RankedColumn>,
+    /// True if infinite rows are escapes.
+    pub escapes: bool,
+}
+
+impl Claim for ColumnOrder {
+    fn statement(&self) -> Option<ClaimResult> {
+        let words = "rows are independent of one another, near and far, and alike along the run";
+        Some(ClaimResult::new(format!("{}independent", self.prefix), words))
+    }
+
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Independent]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let mut judged = Judged::default();
+        let rare = if self.escapes { RareRows::Escapes } else { RareRows::Uncommon };
+        judge_order(tallies.sums(self.column), rare, &mut judged);
+        into.evidence.extend(judged.evidence.into_iter().map(|evidence| prefixed(&self.prefix, evidence)));
+    }
+}
+
+/// The rows of a column that may be rare.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum RareRows {
+    /// None: the law is continuous.
+    None,
+    /// Escapes, or collisions.
+    Escapes,
+    /// Those that differ from the commonest value.
+    Uncommon,
+}
+
+impl RareRows {
+    fn of(scores: &Scores) -> Self {
+        if scores.has_escapes() { Self::Escapes } else { Self::None }
+    }
+}
+
+/// The tests of order, all of which are planned before a row is drawn.
+fn judge_order(sequence: &Sequence, rare: RareRows, into: &mut Judged) {
+    let first = sequence.first();
+    let circular = first.as_ref().map(|first| Circular::of(&first.scores));
+    into.evidence.push(hypothesis::order(circular.as_ref()));
+    if rare != RareRows::None {
+        into.evidence.push(hypothesis::rare_lags(first.as_ref()));
+    }
+    into.evidence.push(hypothesis::period(circular.as_ref()));
+    into.evidence.push(hypothesis::batches(sequence));
+    into.evidence.push(hypothesis::along(sequence));
+    if rare == RareRows::Escapes {
+        into.evidence.push(hypothesis::along_escapes(sequence));
     }
 }

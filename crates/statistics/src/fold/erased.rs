@@ -4,6 +4,7 @@ use super::{Fold, LookupWatch, Merge, Ordered};
 use crate::block::{Block, Scratch};
 use freepath_draws::MissingColumn;
 use std::any::Any;
+use std::sync::Arc;
 
 /// Counts, sums or a part of a fold whose type only that fold knows.
 pub(super) trait State: Any + Send + Sync {
@@ -33,6 +34,8 @@ pub(super) trait AnyFold: Send + Sync {
     fn no_sums(&self) -> Box<dyn State>;
     fn observe(&self, block: &Block, scratch: &mut Scratch, counts: &mut dyn State)
     -> Result<Part, MissingColumn>;
+    fn waits_for_first(&self) -> bool;
+    fn after_first(&self, first: &Block) -> Result<Option<Arc<dyn AnyFold>>, MissingColumn>;
     fn watch<'a>(&self, nth: u64, counts: &'a mut dyn State) -> Option<&'a mut dyn LookupWatch>;
     fn merge(&self, counts: &mut dyn State, other: &dyn State);
     fn fold(&self, sums: &mut dyn State, part: &(dyn Any + Send));
@@ -65,6 +68,12 @@ impl<F: Fold> AnyFold for F {
         counts: &mut dyn State,
     ) -> Result<Part, MissingColumn> {
         Ok(Box::new(Fold::observe(self, block, scratch, own_mut(counts))?))
+    }
+    fn waits_for_first(&self) -> bool {
+        Fold::waits_for_first(self)
+    }
+    fn after_first(&self, first: &Block) -> Result<Option<Arc<dyn AnyFold>>, MissingColumn> {
+        Ok(Fold::after_first(self, first)?.map(|fold| Arc::new(fold) as Arc<dyn AnyFold>))
     }
     fn watch<'a>(&self, nth: u64, counts: &'a mut dyn State) -> Option<&'a mut dyn LookupWatch> {
         Fold::watch(self, nth, own_mut(counts))

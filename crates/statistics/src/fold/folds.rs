@@ -63,6 +63,26 @@ impl Folds {
         folds
     }
 
+    /// True if a fold needs the first block of a range tallied before all others.
+    #[must_use]
+    pub fn wait_for_first(&self) -> bool {
+        self.list.iter().any(|fold| fold.waits_for_first())
+    }
+
+    /// The list that tallies the blocks after the first of their range.
+    ///
+    /// # Errors
+    /// If the block lacks a column that a fold reads.
+    pub fn after_first(&self, first: &Block) -> Result<Self, MissingColumn> {
+        let mut folds = self.clone();
+        for fold in &mut folds.list {
+            if let Some(later) = fold.after_first(first)? {
+                *fold = later;
+            }
+        }
+        Ok(folds)
+    }
+
     /// Counts before the first block.
     #[must_use]
     pub fn empty(&self) -> Counts {

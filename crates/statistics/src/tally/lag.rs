@@ -43,6 +43,7 @@ pub struct Scores {
     mean: i16,
     variance: f64,
     skewness: f64,
+    escapes: bool,
 }
 
 impl Scores {
@@ -67,7 +68,14 @@ impl Scores {
             mean: mean as i16,
             variance,
             skewness: third / (variance * variance.sqrt()),
+            escapes: law.atom() > 0.0 && law.collided() > 0.0,
         }
+    }
+
+    /// True if the law has both escapes and collisions.
+    #[must_use]
+    pub fn has_escapes(&self) -> bool {
+        self.escapes
     }
 
     /// Variance of one score, in squared units.
@@ -152,6 +160,11 @@ impl LagTally {
             *pairs += later.len() as u64;
         }
         count(scores, buffer, groups, neighbours);
+    }
+
+    /// The scores of the block that was observed last.
+    pub(crate) fn last_scores(&self) -> &[i16] {
+        &self.buffer
     }
 
     /// Adds the pairs of another worker.

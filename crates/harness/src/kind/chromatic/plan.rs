@@ -1,7 +1,8 @@
 use super::Chromatic;
 use crate::experiment::{Plan, Terms};
-use freepath_draws::column::T;
+use crate::kind::column_order::OrderedColumn;
 use crate::kind::{Source, batches};
+use freepath_draws::column::{T, channel};
 use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
 use freepath_draws::quadrature::{Integral, Panels, decays};
@@ -46,6 +47,12 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     if let Some(events) = events {
         events.means(terms, &mut claims);
     }
+    if said.mixture.is_none() {
+        OrderedColumn::distances(T).claim(source.is_external(), terms, &mut claims);
+    }
+    for k in 0..medium.media().len() {
+        OrderedColumn::weights(channel(k)).claim(source.is_external(), terms, &mut claims);
+    }
     Plan { claims, beside: Vec::new() }
 }
 
@@ -88,7 +95,7 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
         return;
     }
     let scores = Arc::new(Scores::new(&law));
-    let lags = claims.folds.add(Lags { scores: scores.clone(), index });
+    let lags = claims.folds.add(Lags { scores: scores.clone(), index, rows: terms.ordered_rows(false) });
     if !known {
         claims.push(ObservedOrder { scores, lags, cells });
         return;

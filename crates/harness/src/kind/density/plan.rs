@@ -44,7 +44,7 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
     }
     if terms.stands(Withdrawal::Independent) {
         let scores = Arc::new(Scores::new(&law));
-        let lags = claims.folds.add(Lags { scores: scores.clone(), index });
+        let lags = claims.folds.add(Lags { scores: scores.clone(), index, rows: terms.ordered_rows(external) });
         if terms.stands(Withdrawal::Truth) {
             claims.push(Order { scores, lags, cells });
             claims.push(Evenness { prefix: "", law, cells });

@@ -41,7 +41,7 @@ pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction
         claims.push(PdfIntegral { mass: pdf::mass(sampler, truth), over: "the sphere" });
     }
     let (first, second) = (angle.cells, azimuth.cells);
-    order(&law, [angle, azimuth], terms, &mut claims);
+    order(&law, [angle, azimuth], source, terms, &mut claims);
     let even = |prefix, cells| Evenness { prefix, law: law.clone(), cells };
     claims.push(even("", first));
     claims.push(SecondRank(even("", second)));
@@ -63,13 +63,13 @@ fn follows(law: &Arc<Law>, rank: &Ranked) -> LawClaim {
 }
 
 /// Neighbours in drawing order, in both ranks.
-fn order(law: &Law, ranks: [Ranked; 2], terms: &Terms, claims: &mut Claims) {
+fn order(law: &Law, ranks: [Ranked; 2], source: &Source<Direction>, terms: &Terms, claims: &mut Claims) {
     if !terms.stands(Withdrawal::Independent) {
         return;
     }
-    let scores = Arc::new(Scores::new(law));
+    let (scores, rows) = (Arc::new(Scores::new(law)), terms.ordered_rows(source.is_external()));
     let [first, second] = ranks.map(|Ranked { cells, index }| {
-        let lags = claims.folds.add(Lags { scores: scores.clone(), index });
+        let lags = claims.folds.add(Lags { scores: scores.clone(), index, rows });
         Order { scores: scores.clone(), lags, cells }
     });
     if terms.stands(Withdrawal::Truth) {

@@ -1,5 +1,6 @@
 use super::Estimate;
 use crate::experiment::{Plan, Terms};
+use crate::kind::column_order::OrderedColumn;
 use crate::kind::{Source, batches};
 use crate::scene::Number;
 use freepath_draws::column::WEIGHT;
@@ -34,6 +35,7 @@ pub(super) fn plan<'a>(number: &Number, source: &Source<Estimate>, terms: &Terms
         let (name, sums, reason) = ("bounded_mean".to_string(), Moments::Column(weights), Reason::Biased);
         claims.push(BoundedMean { name, sums, wealth, mean: truth, reason });
     }
+    OrderedColumn::only(WEIGHT).claim(source.is_external(), terms, &mut claims);
     Plan { claims, beside: Vec::new() }
 }
 

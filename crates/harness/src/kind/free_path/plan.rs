@@ -181,8 +181,9 @@ impl<'a, 'b> Builder<'a, 'b> {
             return;
         }
         let (cells, followed) = (self.cells, self.laws.followed());
+        let rows = self.terms.ordered_rows(self.source.is_external());
         let scores = Arc::new(Scores::new(followed));
-        let lags = self.claims.folds.add(Lags { scores: scores.clone(), index: self.index });
+        let lags = self.claims.folds.add(Lags { scores: scores.clone(), index: self.index, rows });
         if !self.terms.stands(Withdrawal::Truth) {
             self.claims.push(ObservedOrder { scores, lags, cells });
             return;

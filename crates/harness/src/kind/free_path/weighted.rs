@@ -1,7 +1,9 @@
 use crate::experiment::{Plan, Terms};
+use crate::kind::column_order::OrderedColumn;
 use crate::kind::Ray;
 use crate::kind::escaping;
 use crate::kind::events::{BINS, EventMean, Events, weights};
+use freepath_draws::column::{T, channel};
 use freepath_statistics::claim::{Claims, EnoughRows, Escaping, InsideRay, Withdrawal};
 use freepath_statistics::fold::{Event, Lookups};
 use freepath_statistics::Law;
@@ -22,6 +24,8 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     if let Some(events) = events {
         events.means(terms, &mut claims);
     }
+    OrderedColumn::distances(T).claim(true, terms, &mut claims);
+    OrderedColumn::weights(channel(0)).claim(true, terms, &mut claims);
     Plan { claims, beside: Vec::new() }
 }
 

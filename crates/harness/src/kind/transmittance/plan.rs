@@ -1,5 +1,6 @@
 use super::Transmittance;
 use crate::experiment::{Plan, Terms};
+use crate::kind::column_order::OrderedColumn;
 use crate::kind::{Ray, Source, batches};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
@@ -95,6 +96,7 @@ pub(super) fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Transmittance>, terms: 
         builder.mean();
         builder.cost();
     }
+    OrderedColumn::only(WEIGHT).claim(source.is_external(), terms, &mut builder.claims);
     Plan { claims: builder.claims, beside: Vec::new() }
 }
 
