@@ -52,8 +52,13 @@ pub fn decide_at(first: &Stage, second: Option<&Stage>, levels: Levels) -> Decis
     let mut found: Vec<(Reason, String)> = facts.map(|fact| (fact.reason, fact.words.clone())).collect();
     let rejected = rejections(first, second, levels);
     if !rejected.is_empty() {
-        found.extend(rejected.iter().map(|rejection| (rejection.evidence().reason, rejection.words())));
-        return summary(Verdict::Fail, found);
+        let (telling, taken) = telling(&rejected);
+        found.extend(telling.iter().map(|rejection| (rejection.evidence().reason, rejection.words())));
+        let mut decision = summary(Verdict::Fail, found);
+        decision
+            .notes
+            .extend(taken.iter().map(|rejection| format!("{}, of rows taken for independent", rejection.words())));
+        return decision;
     }
     let one_sided =
         [Some(first), second].into_iter().flatten().any(|stage| stage.rejecting(levels).next().is_some());
@@ -77,6 +82,14 @@ fn open(first: &Stage, second: Option<&Stage>) -> Vec<(Reason, String)> {
     } else {
         first.judged.gates.clone()
     }
+}
+
+/// The rejections whose reasons are told, and the others. Where rows depend on one another order is judged first: all other p-values were made for
+/// independent rows, and say nothing of the law or the mean.
+fn telling<'a, 'b>(rejected: &'b [Rejection<'a>]) -> (Vec<&'b Rejection<'a>>, Vec<&'b Rejection<'a>>) {
+    let of_order = |rejection: &&Rejection| rejection.evidence().reason == Reason::Dependent;
+    let (order, others): (Vec<_>, Vec<_>) = rejected.iter().partition(of_order);
+    if order.is_empty() { (others, order) } else { (order, others) }
 }
 
 fn undecided(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {
@@ -141,6 +154,20 @@ mod tests {
     fn no_other_test_fails_alone() {
         assert_eq!(verdict(&[1e-12, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
         assert_eq!(verdict(&[0.0, 0.5], Some(&[0.2, 0.5])), Verdict::Inconclusive);
+    }
+
+    #[test]
+    fn order_is_judged_first() {
+        let copied = || {
+            let mut judged = eligible(&[1e-12, 0.5]);
+            judged.evidence.push(Evidence::new("order", 0.0, None, 1e-20, Reason::Dependent).alone());
+            judged.facts.push(Fact::new("audit", Reason::BoundViolated, "1"));
+            judged
+        };
+        let decision = decision(&copied(), Some(&copied()));
+        assert_eq!(decision.reasons, [Reason::BoundViolated, Reason::Dependent]);
+        let [.., last] = &decision.notes[..] else { panic!("{:?}", decision.notes) };
+        assert!(last.starts_with("atom rejects") && last.ends_with(", of rows taken for independent"), "{last}");
     }
 
     #[test]

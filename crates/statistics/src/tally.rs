@@ -29,7 +29,7 @@ pub use lag::{LAGS, LagTally, Scores};
 pub use nulls::NullTally;
 pub use sequence::{
     BatchSums, BlockRows, Circular, Correlations, DyadicBatches, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
-    MOST_ROWS, Prefix, ScoreMoments, Scored, Sequence, SequencePart,
+    MOST_ROWS, Prefix, RankGroups, ScoreMoments, Scored, Sequence, SequencePart,
 };
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};

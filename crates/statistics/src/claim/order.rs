@@ -121,6 +121,8 @@ fn judge_order(sequence: &Sequence, rare: RareRows, into: &mut Judged) {
         into.evidence.push(hypothesis::rare_lags(first.as_ref()));
     }
     into.evidence.push(hypothesis::period(circular.as_ref()));
+    into.evidence.push(hypothesis::pairs_far(first.as_ref()));
+    into.evidence.push(hypothesis::triples(first.as_ref()));
     into.evidence.push(hypothesis::batches(sequence));
     into.evidence.push(hypothesis::along(sequence));
     if rare == RareRows::Escapes {

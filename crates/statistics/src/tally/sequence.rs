@@ -6,6 +6,7 @@
 mod circular;
 mod dyadic;
 mod edges;
+mod groups;
 mod kept;
 mod moments;
 mod prefixes;
@@ -13,6 +14,7 @@ mod prefixes;
 pub use circular::{Circular, Correlations};
 pub use dyadic::{BatchSums, DyadicBatches};
 pub use edges::{EDGES_FROM, Edges};
+pub use groups::RankGroups;
 pub use kept::{Kept, Scored};
 pub use moments::ScoreMoments;
 pub use prefixes::{Escaped, Prefix};

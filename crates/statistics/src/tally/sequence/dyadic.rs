@@ -24,7 +24,15 @@ pub struct BatchSums {
 }
 
 impl BatchSums {
+    /// Of the sums inside a block, whose squares fit 63 bits together: (2^14 2^12)^2 at most.
     fn of(size: u64, sums: &[i64]) -> Self {
+        let (sum, squares): (i64, i64) =
+            sums.iter().fold((0, 0), |(sum, squares), &one| (sum + one, squares + one * one));
+        Self { size, batches: sums.len() as u64, sum: i128::from(sum), squares: i128::from(squares) }
+    }
+
+    /// Of longer sums.
+    fn of_long(size: u64, sums: &[i64]) -> Self {
         let mut of = Self { size, batches: sums.len() as u64, ..Self::default() };
         for &sum in sums {
             of.sum += i128::from(sum);
@@ -56,13 +64,14 @@ pub(super) struct BlockBatches([BatchSums; INSIDE]);
 impl BlockBatches {
     /// Of scores, and of their distances from 0.
     pub(super) fn of_both(scores: &[i16]) -> [Self; 2] {
-        let (mut plain, mut distance) = (Vec::new(), Vec::new());
+        let batches = scores.chunks_exact(1 << SMALLEST);
+        let (mut plain, mut distance) = (vec![0; batches.len()], vec![0; batches.len()]);
         freepath_draws::simd::dispatch(
             #[inline(always)]
             || {
-                let batches = scores.chunks_exact(1 << SMALLEST);
-                plain = batches.clone().map(|batch| sum(batch, |score| score)).collect();
-                distance = batches.map(|batch| sum(batch, i32::abs)).collect();
+                for ((plain, distance), batch) in plain.iter_mut().zip(&mut distance).zip(batches) {
+                    (*plain, *distance) = (sum(batch, |score| score), sum(batch, i32::abs));
+                }
             },
         );
         [Self::of(plain), Self::of(distance)]
@@ -72,9 +81,10 @@ impl BlockBatches {
     fn of(mut sums: Vec<i64>) -> Self {
         let mut of = Self::default();
         for (i, level) in of.0.iter_mut().enumerate() {
-            let size = 1 << (SMALLEST as usize + i);
-            *level = BatchSums::of(size, &sums);
-            sums = sums.chunks_exact(2).map(|pair| pair[0] + pair[1]).collect();
+            *level = BatchSums::of(1 << (SMALLEST as usize + i), &sums);
+            let half = sums.len() / 2;
+            (0..half).for_each(|pair| sums[pair] = sums[2 * pair] + sums[2 * pair + 1]);
+            sums.truncate(half);
         }
         of
     }
@@ -106,7 +116,7 @@ impl DyadicBatches {
         while sums.len() as u64 >= 2 * fewest {
             sums = sums.chunks_exact(2).map(|pair| pair[0] + pair[1]).collect();
             size *= 2;
-            sizes.push(BatchSums::of(size, &sums));
+            sizes.push(BatchSums::of_long(size, &sums));
         }
         sizes.retain(|of| of.batches >= fewest);
         sizes

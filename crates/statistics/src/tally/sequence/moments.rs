@@ -77,39 +77,51 @@ struct Sums {
     distance_cubes: i64,
 }
 
+/// Bits of the lower part of a square: either part times a score fits 23 bits.
+const LOW: i32 = 11;
+
+/// Sums of one power over lanes.
+type Lanes = [i32; LANES];
+
 impl Sums {
     fn of(part: &[i16]) -> Self {
         let mut sums = Self::default();
         freepath_draws::simd::dispatch(
             #[inline(always)]
-            || {
-                let rows = part.chunks_exact(LANES);
-                let rest = rows.remainder();
-                let (mut sum, mut distance, mut squares) = ([0i32; LANES], [0i32; LANES], [0i32; LANES]);
-                let (mut cubes, mut distance_cubes) = ([0i64; LANES], [0i64; LANES]);
-                let mut padded = [0i16; LANES];
-                padded[..rest.len()].copy_from_slice(rest); // 0 adds nothing to any sum
-                for row in rows.chain([&padded[..]]) {
-                    for i in 0..LANES {
-                        let score = i32::from(row[i]);
-                        let square = score * score;
-                        sum[i] += score;
-                        distance[i] += score.abs();
-                        squares[i] += square;
-                        cubes[i] += i64::from(square) * i64::from(score);
-                        distance_cubes[i] += i64::from(square) * i64::from(score.abs());
-                    }
-                }
-                let wide = |lanes: &[i32; LANES]| lanes.iter().map(|&x| i64::from(x)).sum::<i64>();
-                sums = Self {
-                    sum: wide(&sum),
-                    distance: wide(&distance),
-                    squares: wide(&squares),
-                    cubes: cubes.iter().sum(),
-                    distance_cubes: distance_cubes.iter().sum(),
-                };
-            },
+            || sums = Self::in_lanes(part),
         );
         sums
+    }
+
+    #[inline(always)]
+    fn in_lanes(part: &[i16]) -> Self {
+        let [mut sum, mut distance, mut squares]: [Lanes; 3] = [[0; LANES]; 3];
+        // a cube is too long for 32 bits: the two parts of the square are multiplied apart
+        let [mut high, mut low, mut distance_high, mut distance_low]: [Lanes; 4] = [[0; LANES]; 4];
+        let rows = part.chunks_exact(LANES);
+        let mut padded = [0i16; LANES];
+        padded[..rows.remainder().len()].copy_from_slice(rows.remainder()); // 0 adds nothing to any sum
+        for row in rows.chain([&padded[..]]) {
+            for i in 0..LANES {
+                let score = i32::from(row[i]);
+                let (away, square) = (score.abs(), score * score);
+                let (above, below) = (square >> LOW, square & ((1 << LOW) - 1));
+                sum[i] += score;
+                distance[i] += away;
+                squares[i] += square;
+                high[i] += score * above;
+                low[i] += score * below;
+                distance_high[i] += away * above;
+                distance_low[i] += away * below;
+            }
+        }
+        let wide = |lanes: &Lanes| lanes.iter().map(|&x| i64::from(x)).sum::<i64>();
+        Self {
+            sum: wide(&sum),
+            distance: wide(&distance),
+            squares: wide(&squares),
+            cubes: (wide(&high) << LOW) + wide(&low),
+            distance_cubes: (wide(&distance_high) << LOW) + wide(&distance_low),
+        }
     }
 }

@@ -51,10 +51,20 @@ impl Escaped<'_> {
     pub(super) fn count(self, rows: Range<usize>) -> u64 {
         match self {
             Self::Never => 0,
-            Self::Cells(cells) => cells[rows].iter().map(|&cell| u64::from(cell == ESCAPE)).sum(),
-            Self::Distances(t) => t[rows].iter().map(|&t| u64::from(t == f64::INFINITY)).sum(),
+            Self::Cells(cells) => counted(&cells[rows], |cell| cell == ESCAPE),
+            Self::Distances(t) => counted(&t[rows], |t| t == f64::INFINITY),
         }
     }
+}
+
+/// The entries for which `holds` is true.
+fn counted<T: Copy>(all: &[T], holds: impl Fn(T) -> bool) -> u64 {
+    let mut count = 0;
+    freepath_draws::simd::dispatch(
+        #[inline(always)]
+        || count = all.iter().map(|&one| u32::from(holds(one))).sum::<u32>(),
+    );
+    u64::from(count)
 }
 
 /// The prefixes inside a first block.
