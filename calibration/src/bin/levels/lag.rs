@@ -53,18 +53,25 @@ fn law(depth: f64) -> Law {
     Law::new(1.0, 0.0, |t| libm::exp(-depth * t))
 }
 
-struct Chain {
+/// Free paths in a row whose neighbours attract or repel each other.
+pub(crate) struct Chain {
     depth: f64,
-    draws: usize,
-    skewness: f64,
+    pub(crate) draws: usize,
+    /// Of a sum of products of neighbours.
+    pub(crate) skewness: f64,
 }
 
 impl Chain {
+    pub(crate) fn new(depth: f64, draws: usize) -> Self {
+        let skewness = Scores::new(&law(depth)).skewness();
+        Self { depth, draws, skewness: skewness * skewness / (draws as f64).sqrt() }
+    }
+
     fn tail(&self, sign: f64, level: f64, effort: Effort) -> Tail {
         let law = law(self.depth);
         let scores = Scores::new(&law);
         let begin = quantile(|z| pearson_two_sided(self.skewness, sign * z), level);
-        let pull = self.pull(sign, begin, &law, &scores);
+        let pull = self.pull(sign, begin);
         Tail::measure(effort.seed, effort.replicates, |rng| {
             let (t, log_ratio) = self.draw(&[pull], rng);
             let evidence = judged(&law, &scores, &t);
@@ -96,10 +103,12 @@ impl Chain {
     }
 
     /// The pull at which the mean of the statistic is where the tail begins, from few chains.
-    fn pull(&self, sign: f64, begin: f64, law: &Law, scores: &Scores) -> f64 {
+    pub(crate) fn pull(&self, sign: f64, begin: f64) -> f64 {
+        let law = law(self.depth);
+        let scores = Scores::new(&law);
         let mean = |pull: f64| {
             let mut rng = Key { seed: 99, subject: 1, block: 0 }.rng();
-            let one = |_| judged(law, scores, &self.draw(&[sign * pull], &mut rng).0).statistic * sign;
+            let one = |_| judged(&law, &scores, &self.draw(&[sign * pull], &mut rng).0).statistic * sign;
             (0..100).map(one).sum::<f64>() / 100.0
         };
         let (mut low, mut high) = (0.0, 1.0);
@@ -115,7 +124,7 @@ impl Chain {
 
     /// A chain in which the next score s' has density in proportion to exp(sum of pull s s') over the scores s before it, the
     /// nearest first, and the log of its likelihood ratio.
-    fn draw(&self, pulls: &[f64], rng: &mut impl Rng) -> (Vec<f64>, f64) {
+    pub(crate) fn draw(&self, pulls: &[f64], rng: &mut impl Rng) -> (Vec<f64>, f64) {
         let (atom, mut before, mut log_ratio) = (libm::exp(-self.depth), vec![0.0; pulls.len()], 0.0);
         let mut one = |_| {
             let lean: f64 = pulls.iter().zip(&before).map(|(pull, score)| pull * score).sum();

@@ -15,6 +15,7 @@ mod lookups;
 mod means;
 mod neyman;
 mod null_positions;
+mod order;
 mod pairs;
 mod pearson;
 mod second_moment;
@@ -61,6 +62,7 @@ const TESTS: [(&str, Measure); 12] = [
     ("lookups", lookups::rows),
     ("lag", lag::rows),
     ("pairs", pairs::rows),
+    ("order", order::rows),
     ("auxiliary agree", auxiliary::rows),
     ("neyman", neyman::rows),
     ("kolmogorov", kolmogorov::rows),
