@@ -5,6 +5,7 @@ use crate::chromatic::{chromatic, of_weights};
 use crate::estimates::{changed, estimates, of_estimate};
 use crate::joint::{Resumed, Twice, WithAuxiliary};
 use crate::laws::laws;
+use crate::order::order;
 use crate::path::{Sampler, in_part, of_path};
 use crate::ramp::in_the_ramp;
 use crate::walks::walks;
@@ -28,7 +29,8 @@ fn caught(test: &str, reason: Reason, judgement: &Judgement) -> Option<String> {
 
 #[test]
 fn every_test_rejects_a_mutant() {
-    let all: Vec<_> = [laws(), walks(), estimates(), chromatic(), by_design()].into_iter().flatten().collect();
+    let all: Vec<_> =
+        [laws(), walks(), order(), estimates(), chromatic(), by_design()].into_iter().flatten().collect();
     let missed: Vec<_> =
         all.iter().filter_map(|(test, reason, judgement)| caught(test, *reason, judgement)).collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));
@@ -43,20 +45,24 @@ fn every_test_rejects_a_mutant() {
     assert!(unshown.is_empty(), "no mutant for {unshown:?}");
 }
 
-/// Mutants that one test alone can see: every other passes, and without it so does the mutant.
+/// Mutants that one test alone can see, or one of pairs and its like of triples: every other passes, and without it so does the mutant.
 #[test]
 fn joint_laws_see_what_the_law_of_t_hides() {
     let folded = of_path(&Twice { lag: 1, fold: |u| (1.0 - 2.0 * u).abs() }, 200_000);
     let resumed = of_path(&Resumed::default(), 100_000);
     let marked = of_path(&WithAuxiliary(|t, u| if u < 0.1 && t < 0.3 { 5.0 * u } else { u }), 200_000);
-    let all =
-        [("null_positions", in_the_ramp()), ("pairs_16", folded), ("series", resumed), ("auxiliary", marked)];
-    for (name, judgement) in all {
+    let all: [(&[&str], _); 4] = [
+        (&["null_positions"], in_the_ramp()),
+        (&["pairs_16", "triples"], folded),
+        (&["series"], resumed),
+        (&["auxiliary"], marked),
+    ];
+    for (names, judgement) in all {
         let low = |judged: &freepath_statistics::Judged| -> Vec<String> {
             let low = judged.evidence.iter().filter(|e| e.p.is_some_and(|p| !(p > 1e-4)));
             low.map(|e| e.name.clone()).collect()
         };
-        assert_eq!(low(&judgement.stages[0]), [name], "{:?}", judgement.decision);
+        assert_eq!(low(&judgement.stages[0]), names, "{:?}", judgement.decision);
     }
 }
 

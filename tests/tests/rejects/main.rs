@@ -11,6 +11,7 @@ mod facts;
 mod joint;
 mod later;
 mod laws;
+mod order;
 mod path;
 mod ramp;
 mod walks;

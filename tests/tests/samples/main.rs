@@ -8,6 +8,7 @@ use freepath_statistics::special::binomial_sf;
 use freepath_tests::results;
 use std::path::{Path, PathBuf};
 
+mod copies;
 mod runs;
 mod shipped;
 

@@ -6,6 +6,7 @@ pub(super) mod absorbed_twice;
 pub(super) mod cold_start;
 pub(super) mod compensated_roulette;
 pub(super) mod completion_order;
+pub(super) mod copied_batch;
 pub(super) mod duplicated_draws;
 pub(super) mod hot_spot;
 pub(super) mod leaked_record;

@@ -3,6 +3,7 @@
 use super::Layer;
 
 pub(super) mod absolute_residual;
+pub(super) mod alternating_extinction;
 pub(super) mod backward_cells;
 pub(super) mod clamped_density;
 pub(super) mod density_cutoff;

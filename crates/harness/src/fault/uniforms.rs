@@ -4,6 +4,7 @@ use super::Layer;
 
 pub(super) mod closed_end;
 pub(super) mod even_uniforms;
+pub(super) mod mirrored_batch;
 pub(super) mod mirrored_uniforms;
 pub(super) mod repeated_flight;
 pub(super) mod reused_start;
