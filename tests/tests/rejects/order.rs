@@ -54,7 +54,7 @@ fn drifting(uniforms: &mut [f64]) {
 }
 
 fn stepping(uniforms: &mut [f64]) {
-    let step = |row: usize| if row / 1000 % 2 == 0 { 1.06 } else { 0.94 };
+    let step = |row: usize| if (row / 1000).is_multiple_of(2) { 1.06 } else { 0.94 };
     uniforms.iter_mut().enumerate().for_each(|(row, u)| *u = scaled(*u, step(row)));
 }
 

@@ -28,7 +28,7 @@ impl Injection for AlternatingExtinction {
         ray.majorants = ray.majorants.map(|mu| (1.0 + self.share) * mu);
     }
     fn overlay<'a>(&'a self, context: WalkContext<'a>) -> Option<Box<dyn Overlay + 'a>> {
-        let sign = if context.key.block % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if context.key.block.is_multiple_of(2) { 1.0 } else { -1.0 };
         Some(Box::new(Times(1.0 + sign * self.share)))
     }
 }
