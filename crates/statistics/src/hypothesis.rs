@@ -66,7 +66,7 @@ pub use family::{declares, family, may_reject_alone};
 pub use growth::growth;
 pub use kolmogorov::kolmogorov;
 pub use kuiper::kuiper;
-pub use lag::{lag, lag_observed, lags};
+pub use lag::{lag, lags};
 pub use list::TESTS;
 pub use lookups::{BlockLookups, Cost, lookups};
 pub use mean::{

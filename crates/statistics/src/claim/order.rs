@@ -62,7 +62,7 @@ impl Claim for ObservedOrder {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let (lags, cells) = (tallies.counts(self.lags), tallies.counts(self.cells));
-        into.evidence.push(hypothesis::lag_observed(&self.scores, lags, cells));
+        into.evidence.push(hypothesis::lag(&self.scores, lags, cells));
         judge_order(tallies.sums(self.lags), RareRows::of(&self.scores), into);
     }
 }
