@@ -43,8 +43,8 @@ mod sequence;
 mod series;
 mod ties;
 mod too_even;
-mod whole_law;
 mod triples;
+mod whole_law;
 
 pub use agree::{Sample, agree_atom, agree_law, agree_mean};
 pub use along::{along, along_escapes};
@@ -89,5 +89,5 @@ pub use second_moment::{SecondMoment, second_moment};
 pub use series::series;
 pub use ties::{pair_probability, ties};
 pub use too_even::too_even;
-pub use whole_law::whole_law;
 pub use triples::triples;
+pub use whole_law::whole_law;

@@ -28,7 +28,7 @@ pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores};
 pub use nulls::NullTally;
 pub use sequence::{
-    BatchSums, BlockRows, Circular, Correlations, DyadicBatches, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
+    BlockRows, Circular, Correlations, DyadicBatches, DyadicSums, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
     MOST_ROWS, Prefix, RankGroups, ScoreMoments, Scored, Sequence, SequencePart,
 };
 pub use smallest::Smallest;

@@ -52,7 +52,7 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 12] = [
+const TESTS: [(&str, Measure); 13] = [
     ("chi_square", pearson::rows),
     ("too_even", too_even::rows),
     ("null_positions", null_positions::rows),

@@ -1,7 +1,7 @@
 use super::record::Test;
 use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::pearson_two_sided;
-use crate::tally::{BatchSums, MEASURES, ScoreMoments, Sequence};
+use crate::tally::{DyadicSums, MEASURES, ScoreMoments, Sequence};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -71,7 +71,7 @@ pub fn batches(sequence: &Sequence) -> Evidence {
     Evidence::new(TEST.name, z, None, p, Reason::Dependent).under(Null::Conservative).noted(note)
 }
 
-fn extreme(of: &BatchSums, moments: &ScoreMoments, name: &'static str) -> Option<Extreme> {
+fn extreme(of: &DyadicSums, moments: &ScoreMoments, name: &'static str) -> Option<Extreme> {
     let (n, m, b, g) = (moments.rows as f64, of.batches as f64, of.size as f64, moments.skewness());
     let (variance, pairs) = (moments.spread() / n, b * (b - 1.0));
     let added = g * g / (0.5 * m * pairs).sqrt();
@@ -87,7 +87,7 @@ fn extreme(of: &BatchSums, moments: &ScoreMoments, name: &'static str) -> Option
 }
 
 /// The sum of squares of batch sums less their expectation: in integers about the nearest whole mean, then about the mean.
-fn centred(of: &BatchSums, moments: &ScoreMoments) -> f64 {
+fn centred(of: &DyadicSums, moments: &ScoreMoments) -> f64 {
     let (size, batches, mean) = (i128::from(of.size), i128::from(of.batches), moments.mean());
     let whole = mean.round();
     let middle = size * whole as i128;

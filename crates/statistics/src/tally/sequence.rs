@@ -12,7 +12,7 @@ mod moments;
 mod prefixes;
 
 pub use circular::{Circular, Correlations};
-pub use dyadic::{BatchSums, DyadicBatches};
+pub use dyadic::{DyadicBatches, DyadicSums};
 pub use edges::{EDGES_FROM, Edges};
 pub use groups::RankGroups;
 pub use kept::{Kept, Scored};

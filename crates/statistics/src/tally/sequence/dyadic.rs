@@ -12,7 +12,7 @@ const BLOCKS: usize = 4096;
 
 /// Sums over batches of one size.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct BatchSums {
+pub struct DyadicSums {
     /// Rows of a batch.
     pub size: u64,
     /// Batches.
@@ -23,7 +23,7 @@ pub struct BatchSums {
     pub squares: i128,
 }
 
-impl BatchSums {
+impl DyadicSums {
     /// Of the sums inside a block, whose squares fit 63 bits together: (2^14 2^12)^2 at most.
     fn of(size: u64, sums: &[i64]) -> Self {
         let (sum, squares): (i64, i64) =
@@ -51,7 +51,7 @@ impl BatchSums {
 /// Sums over batches of neighbours of every dyadic size: inside blocks, and of whole blocks.
 #[derive(Clone, Debug, Default)]
 pub struct DyadicBatches {
-    inside: [BatchSums; INSIDE],
+    inside: [DyadicSums; INSIDE],
     blocks: Vec<i64>,
     /// Set once a block was not whole.
     broken: bool,
@@ -59,7 +59,7 @@ pub struct DyadicBatches {
 
 /// Sums over batches inside one block, by size.
 #[derive(Debug, Default)]
-pub(super) struct BlockBatches([BatchSums; INSIDE]);
+pub(super) struct BlockBatches([DyadicSums; INSIDE]);
 
 impl BlockBatches {
     /// Of scores, and of their distances from 0.
@@ -81,7 +81,7 @@ impl BlockBatches {
     fn of(mut sums: Vec<i64>) -> Self {
         let mut of = Self::default();
         for (i, level) in of.0.iter_mut().enumerate() {
-            *level = BatchSums::of(1 << (SMALLEST as usize + i), &sums);
+            *level = DyadicSums::of(1 << (SMALLEST as usize + i), &sums);
             let half = sums.len() / 2;
             (0..half).for_each(|pair| sums[pair] = sums[2 * pair] + sums[2 * pair + 1]);
             sums.truncate(half);
@@ -110,13 +110,13 @@ impl DyadicBatches {
 
     /// The sums of each size of which there are `fewest` batches, from the smallest on.
     #[must_use]
-    pub fn sizes(&self, fewest: u64) -> Vec<BatchSums> {
-        let mut sizes: Vec<BatchSums> = self.inside.to_vec();
+    pub fn sizes(&self, fewest: u64) -> Vec<DyadicSums> {
+        let mut sizes: Vec<DyadicSums> = self.inside.to_vec();
         let (mut size, mut sums) = (BLOCK, self.blocks.clone());
         while sums.len() as u64 >= 2 * fewest {
             sums = sums.chunks_exact(2).map(|pair| pair[0] + pair[1]).collect();
             size *= 2;
-            sizes.push(BatchSums::of_long(size, &sums));
+            sizes.push(DyadicSums::of_long(size, &sums));
         }
         sizes.retain(|of| of.batches >= fewest);
         sizes
