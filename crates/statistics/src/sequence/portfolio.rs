@@ -91,8 +91,8 @@ impl Portfolio {
             if !x.is_finite() {
                 continue;
             }
-            for bet in 0..BETS {
-                products[bet] *= 1.0 + self.stakes[bet] * (x - self.against[bet]);
+            for ((product, stake), against) in products.iter_mut().zip(&self.stakes).zip(&self.against) {
+                *product *= 1.0 + stake * (x - against);
             }
         }
     }

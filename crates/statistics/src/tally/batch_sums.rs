@@ -46,7 +46,7 @@ impl BatchSums {
             self.common = commonest(column);
         }
         for &x in column {
-            self.differing += u64::from(!self.common.is_some_and(|common| common == x));
+            self.differing += u64::from(!self.common.is_some_and(|common| same(common, x)));
             self.open[0] += x;
             self.close_row();
         }
@@ -101,17 +101,22 @@ impl BatchSums {
     }
 }
 
+/// Equal bit for bit, so that NaN is a value as any other.
+fn same(a: f64, b: f64) -> bool {
+    a.total_cmp(&b).is_eq()
+}
+
 /// The number that more than half of the column are (Boyer and Moore 1981).
 fn commonest(column: &[f64]) -> Option<f64> {
     let (mut common, mut votes) = (f64::NAN, 0u64);
     for &x in column {
         (common, votes) = match votes {
             0 => (x, 1),
-            _ if x == common => (common, votes + 1),
+            _ if same(x, common) => (common, votes + 1),
             _ => (common, votes - 1),
         };
     }
-    let count = column.iter().filter(|x| **x == common).count();
+    let count = column.iter().filter(|x| same(**x, common)).count();
     (2 * count > column.len()).then_some(common)
 }
 

@@ -6,7 +6,7 @@ use freepath_statistics::{Grain, Law};
 use freepath_statistics::claim::{
     AtomsClaim, Claims, Domain, EnoughRows, Evenness, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
 };
-use freepath_statistics::fold::{Cells, Inside, Lags, Places, Rank, RankOf, Values};
+use freepath_statistics::fold::{Cells, FoldId, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
 use std::sync::Arc;
 
@@ -42,17 +42,30 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
         let masses = target.atoms().iter().map(|atom| atom.mass).collect();
         claims.push(AtomsClaim { masses, slack: law.slack(), places });
     }
-    if terms.stands(Withdrawal::Independent) {
-        let scores = Arc::new(Scores::new(&law));
-        let lags = claims.folds.add(Lags { scores: scores.clone(), index, rows: terms.ordered_rows(external) });
-        if terms.stands(Withdrawal::Truth) {
-            claims.push(Order { scores, lags, cells });
-            claims.push(Evenness { prefix: "", law, cells });
-        } else {
-            claims.push(ObservedOrder { scores, lags, cells });
-        }
-    }
+    let rows = terms.ordered_rows(external);
+    order(&law, |scores| Lags { scores, index, rows }, cells, terms, &mut claims);
     Plan { claims, beside: Vec::new() }
+}
+
+/// Rows in drawing order, and counts that are as uneven as independent ones are.
+fn order(
+    law: &Arc<Law>,
+    lags: impl FnOnce(Arc<Scores>) -> Lags,
+    cells: FoldId<Cells>,
+    terms: &Terms,
+    claims: &mut Claims,
+) {
+    if !terms.stands(Withdrawal::Independent) {
+        return;
+    }
+    let scores = Arc::new(Scores::new(law));
+    let lags = claims.folds.add(lags(scores.clone()));
+    if terms.stands(Withdrawal::Truth) {
+        claims.push(Order { scores, lags, cells });
+        claims.push(Evenness { prefix: "", law: law.clone(), cells });
+    } else {
+        claims.push(ObservedOrder { scores, lags, cells });
+    }
 }
 
 /// The law of the ranks: uniform on [0, 1) for the continuous part, at infinity for an atom.
