@@ -11,8 +11,6 @@ use crate::fold::{Folds, ProbableEscape, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
 use freepath_results::{ClaimResult, Reason};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 mod agreement;
 mod auxiliary;
@@ -50,6 +48,7 @@ mod summary;
 mod ties;
 mod unit_weight;
 mod vacuum;
+mod withdrawal;
 
 pub use agreement::{Agreed, Comparable, LawAgreement, MeanAgreement, Spread};
 pub use auxiliary::AuxiliaryClaim;
@@ -87,24 +86,7 @@ pub use summary::{StepOrder, Summary};
 pub use ties::{TiesClaim, Written};
 pub use unit_weight::UnitWeightClaim;
 pub use vacuum::Vacuum;
-
-/// A claim that a case may withdraw from a subject.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[schemars(rename = "Claim")] // the name in the schema of cases
-pub enum Withdrawal {
-    /// That no look-up exceeds the majorant.
-    Bounded,
-    /// The second moment.
-    SecondMoment,
-    /// The expected look-ups, and the law of tentative collisions.
-    Lookups,
-    /// That draws are independent, and with it every test and bound that needs it: means and laws are judged by batches of rows.
-    Independent,
-    /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
-    /// of the draws, the audit, and what is checked without noise.
-    Truth,
-}
+pub use withdrawal::Withdrawal;
 
 /// A contradiction of a claim, for certain, by one row.
 #[derive(Clone, Debug, PartialEq, Eq)]

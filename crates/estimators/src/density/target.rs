@@ -4,7 +4,10 @@ use super::curve::{Atom, Curve, Table, ends, slopes};
 use crate::extinction::Medium;
 use crate::medium::{Expression, PiecewiseLinear, numeric};
 use crate::parameter::{ParameterError, require};
+use increase::{increases, places};
 use std::sync::Arc;
+
+mod increase;
 
 /// A density and atoms on a domain, whose masses add up to 1.
 ///
@@ -32,8 +35,6 @@ enum Continuous {
 
 /// The most by which the masses may add up to something else than 1.
 const EXCESS: f64 = 1e-9;
-/// Places at which a formula is looked at before it is believed.
-const PLACES: u32 = 4096;
 /// No majorant is needed of a density.
 const NO_MAJORANT: f64 = 1e300;
 
@@ -237,24 +238,6 @@ fn length([a, b]: [f64; 2]) -> Result<f64, ParameterError> {
 
 fn formula(name: &'static str, text: &str) -> Result<Expression, ParameterError> {
     Expression::new(text, "x").map_err(|why| ParameterError::unusable(name, why))
-}
-
-/// Places across the domain, both ends among them.
-fn places([a, b]: [f64; 2]) -> impl Iterator<Item = f64> {
-    (0..=PLACES).map(move |i| if i == PLACES { b } else { a + (b - a) * f64::from(i) / f64::from(PLACES) })
-}
-
-fn increases(target: &Target) -> Result<(), ParameterError> {
-    let mut last = 0.0;
-    let start = target.continuous_mass(target.domain[0]);
-    require(start.abs() <= EXCESS, "cdf", start, "0 at the start of the domain")?;
-    for x in places(target.domain) {
-        let mass = target.continuous_mass(x);
-        let holds = mass >= last - EXCESS && mass <= 1.0 + EXCESS;
-        require(holds, "cdf", format!("{mass} at x = {x}"), "increasing from 0 to at most 1")?;
-        last = mass;
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -1,0 +1,20 @@
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A claim that a case may withdraw from a subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "Claim")] // the name in the schema of cases
+pub enum Withdrawal {
+    /// That no look-up exceeds the majorant.
+    Bounded,
+    /// The second moment.
+    SecondMoment,
+    /// The expected look-ups, and the law of tentative collisions.
+    Lookups,
+    /// That draws are independent, and with it every test and bound that needs it: means and laws are judged by batches of rows.
+    Independent,
+    /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
+    /// of the draws, the audit, and what is checked without noise.
+    Truth,
+}
