@@ -68,7 +68,8 @@ impl CaseFile {
                 format!("a {kind} subject has no estimates (only they can be free of noise)"),
             );
         }
-        declared.check().or_else(|why| refuse(".range", why))
+        declared.check().or_else(|why| refuse(".range", why))?;
+        declared.check_replicates().or_else(|why| refuse(".replicates", why))
     }
 
     fn check_kind(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
@@ -110,7 +111,8 @@ impl CaseFile {
     /// Growth and agreements need independent draws.
     fn check_independent(&self, at: &str, s: &SubjectSpec) -> Result<(), CaseError> {
         let refuse = |why: &str| Err(self.refuse(&format!("{at}without"), why));
-        if !s.without.contains(&Withdrawal::Independent) {
+        let grouped = s.declare.is_some_and(|declared| declared.replicates.is_some());
+        if !grouped && !s.without.contains(&Withdrawal::Independent) {
             return Ok(());
         }
         if s.bias_bound.or(self.case.bias_bound).is_some() {

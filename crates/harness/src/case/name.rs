@@ -38,6 +38,7 @@ impl SubjectSpec {
             tolerance: self.tolerance,
             faults: self.fault.as_ref().map(|faults| &*faults.0),
             without: &self.without,
+            replicates: self.declare.and_then(|declared| declared.replicates),
             agree: self.agree.as_deref(),
         }
     }

@@ -28,6 +28,7 @@ pub(crate) struct Overrides<'a> {
     pub(super) tolerance: Option<f64>,
     pub(super) faults: Option<&'a [Fault]>,
     pub(super) without: &'a [Withdrawal],
+    pub(super) replicates: Option<u64>,
     pub(super) agree: Option<&'a [Agreement]>,
 }
 

@@ -55,7 +55,7 @@ impl Preparing<'_> {
         let path = self.place_of(samples.file()).map_err(|why| refuse(&why))?;
         let tolerance = own.tolerance.or(case.tolerance);
         let (rows, format) = (samples.rows(outline), samples.format());
-        let request = Request { rows, format, draws: own.draws, tolerance };
+        let request = Request { rows, format, draws: own.draws, tolerance, group: own.replicates };
         SampleFile::open(&path, &request).map_err(|why| refuse(&why))
     }
 

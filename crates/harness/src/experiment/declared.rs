@@ -13,7 +13,15 @@ pub struct Declared {
     /// Estimates have no noise: every one is the mean itself.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub noise_free: bool,
+    /// Rows come in groups of this size, each independent of all others and none of its rows of one another: stratified, antithetic or
+    /// quasi-Monte Carlo. Means and laws are judged by the means of at least 32 groups.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(range(min = 2, max = MOST_ROWS))]
+    pub replicates: Option<u64>,
 }
+
+/// Most rows of a group.
+pub(crate) const MOST_ROWS: u64 = 1_000_000_000;
 
 impl Declared {
     /// Refuses what no draws can be held to.
@@ -29,10 +37,27 @@ impl Declared {
         }
     }
 
+    /// Refuses groups that are none.
+    ///
+    /// # Errors
+    /// What is allowed.
+    pub fn check_replicates(&self) -> Result<(), String> {
+        match self.replicates {
+            Some(rows) if !(2..=MOST_ROWS).contains(&rows) => {
+                Err(format!("replicates must have from 2 to {MOST_ROWS} rows, not {rows}"))
+            }
+            Some(_) | None => Ok(()),
+        }
+    }
+
     /// What this and another declaration say, this one if both speak of the same.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
-        Self { range: self.range.or(other.range), noise_free: self.noise_free || other.noise_free }
+        Self {
+            range: self.range.or(other.range),
+            noise_free: self.noise_free || other.noise_free,
+            replicates: self.replicates.or(other.replicates),
+        }
     }
 
     /// The range of the draws where a formula may give one as well: what both allow.
@@ -62,11 +87,11 @@ mod tests {
 
     #[test]
     fn what_is_declared_and_what_is_known_hold_both() {
-        let declared = |low, high| Declared { range: Some([low, high]), noise_free: false };
+        let declared = |low, high| Declared { range: Some([low, high]), ..Declared::default() };
         assert_eq!(declared(0.2, 2.0).range(Some((0.0, 1.0))), Some((0.2, 1.0)));
         assert_eq!(declared(2.0, 3.0).range(Some((0.0, 1.0))), Some((2.0, 3.0)));
         assert_eq!(declared(2.0, 3.0).range(None), Some((2.0, 3.0)));
         assert_eq!(Declared::default().range(Some((0.0, 1.0))), Some((0.0, 1.0)));
-        assert_eq!(Declared { range: None, noise_free: true }.variance(Some(0.1)), Some(0.0));
+        assert_eq!(Declared { noise_free: true, ..Declared::default() }.variance(Some(0.1)), Some(0.0));
     }
 }

@@ -72,6 +72,7 @@ impl Terms<'_> {
     /// True if the claim that `withdrawal` would take back still stands.
     #[must_use]
     pub(crate) fn stands(&self, withdrawal: Withdrawal) -> bool {
-        !self.without.contains(&withdrawal)
+        let grouped = withdrawal == Withdrawal::Independent && self.declared.replicates.is_some();
+        !grouped && !self.without.contains(&withdrawal)
     }
 }

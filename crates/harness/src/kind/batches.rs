@@ -21,7 +21,7 @@ pub(super) fn mean(
     if terms.stands(Withdrawal::Independent) {
         return;
     }
-    let batches = claims.folds.add(fold);
+    let batches = claims.folds.add(fold.grouped(terms.declared.replicates));
     claims.push(BatchMean { name: name.to_string(), sums, batches, mean, reason, told: name == "mean" });
 }
 
@@ -33,7 +33,8 @@ pub(super) fn shares(
     terms: &Terms,
     claims: &mut Claims,
 ) -> Option<BatchShares> {
-    let batched = |claims: &mut Claims| claims.folds.add(Batched::shares(law, index));
+    let batched =
+        |claims: &mut Claims| claims.folds.add(Batched::shares(law, index).grouped(terms.declared.replicates));
     let dependent = !terms.stands(Withdrawal::Independent);
     dependent.then(|| BatchShares { law: law.clone(), batches: batched(claims), reason })
 }

@@ -4,7 +4,7 @@ use crate::fault::ChannelMixture;
 use crate::samples::SampleSource;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
-use freepath_statistics::claim::{Claims, DrawingOrder};
+use freepath_statistics::claim::{Claims, DrawingOrder, Withdrawal};
 use freepath_statistics::fold::{Copies, Monotone};
 use std::borrow::Cow;
 
@@ -70,7 +70,9 @@ impl<'a, K: Kind> InScene<'a, K> {
         if let Source::External(rows) = self.source {
             drawing_order(&rows.row(), &mut claims);
         }
-        Plan { claims: claims.without(terms.without), beside }
+        let grouped: &[Withdrawal] =
+            if terms.declared.replicates.is_some() { &[Withdrawal::Independent] } else { &[] };
+        Plan { claims: claims.without(terms.without).without(grouped), beside }
     }
 
     /// A sampler in a scene.

@@ -26,6 +26,8 @@ pub struct Request {
     pub draws: Option<u64>,
     /// The relative error of a distance; none for what the type of the numbers implies.
     pub tolerance: Option<f64>,
+    /// Rows of a group that both stages keep whole; none if rows come one by one.
+    pub group: Option<u64>,
 }
 
 /// A file of samples: the first third of its rows, in drawing order, is stage 1, and the rest stage 2.
@@ -38,6 +40,8 @@ pub struct SampleFile {
     rows: u64,
     /// Rows that are not.
     left: u64,
+    /// Rows of a group.
+    group: u64,
 }
 
 impl SampleFile {
@@ -83,13 +87,15 @@ impl SampleFile {
     fn of(table: TableFile, request: &Request, rows: u64, left: u64) -> Self {
         let implied = if table.is_single() { SINGLE_TOLERANCE } else { 0.0 };
         let rounding = request.tolerance.unwrap_or(implied);
-        Self { table, format: request.rows.clone(), rounding, rows, left }
+        let group = request.group.unwrap_or(1);
+        Self { table, format: request.rows.clone(), rounding, rows, left, group }
     }
 
     /// Rows of stage 1.
     #[must_use]
     pub fn first_rows(&self) -> u64 {
-        self.rows.div_ceil(3)
+        let first = self.rows.div_ceil(3).div_ceil(self.group).saturating_mul(self.group);
+        if first < self.rows { first } else { self.rows }
     }
 
     /// Rows of both stages.

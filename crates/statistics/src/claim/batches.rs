@@ -55,7 +55,8 @@ impl Claim for BatchMean {
         if self.told {
             let (sums, batches) = (self.sums(tallies), tallies.sums(self.batches));
             let (_, interval, _) = hypothesis::batch_mean(&self.name, &sums, batches, &self.mean, self.reason);
-            let detectable = hypothesis::detectable_batch_mean(&interval, &sums, &self.mean, &into.detection);
+            let detectable =
+                hypothesis::detectable_batch_mean(&interval, &sums, batches, &self.mean, &into.detection);
             into.mean = Some(with_interval(&self.mean, &sums, &interval, detectable));
         }
     }

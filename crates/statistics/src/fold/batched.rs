@@ -7,7 +7,10 @@ use freepath_draws::MissingColumn;
 use std::borrow::Cow;
 
 /// Sums over batches of neighbouring rows: of a column, or of the shares of a law's cells.
-pub struct Batched(Numbers);
+pub struct Batched {
+    numbers: Numbers,
+    group: Option<u64>,
+}
 
 enum Numbers {
     /// Of a column.
@@ -30,13 +33,13 @@ impl Batched {
     /// Of a column.
     #[must_use]
     pub fn column(column: impl Into<Cow<'static, str>>) -> Self {
-        Self(Numbers::Column(column.into()))
+        Self::of(Numbers::Column(column.into()))
     }
 
     /// Of a column where an event happens, 0 elsewhere.
     #[must_use]
     pub fn event(column: Cow<'static, str>, distance: &'static str, event: Event) -> Self {
-        Self(Numbers::Event(column, distance, event))
+        Self::of(Numbers::Event(column, distance, event))
     }
 
     /// Of the shares of a law's 16 groups of cells and of its atom; the fold of the cells stands before.
@@ -46,7 +49,17 @@ impl Batched {
         let slot = |(group, w): (usize, &[usize])| std::iter::repeat_n(group as u32, w[1] - w[0]);
         let mut slots: Vec<u32> = bounds.windows(2).enumerate().flat_map(slot).collect();
         slots.push((bounds.len() - 1) as u32); // the atom
-        Self(Numbers::Shares(index, slots))
+        Self::of(Numbers::Shares(index, slots))
+    }
+
+    /// The same over groups of rows that are independent of one another, if rows come in such.
+    #[must_use]
+    pub fn grouped(self, group: Option<u64>) -> Self {
+        Self { group, ..self }
+    }
+
+    fn of(numbers: Numbers) -> Self {
+        Self { numbers, group: None }
     }
 }
 
@@ -67,13 +80,14 @@ impl Fold for Batched {
 
     fn empty(&self) {}
     fn no_sums(&self) -> BatchSums {
-        BatchSums::new(match &self.0 {
+        let width = match &self.numbers {
             Numbers::Column(_) | Numbers::Event(..) => 1,
             Numbers::Shares(..) => SHARES + 1,
-        })
+        };
+        BatchSums::grouped(width, self.group)
     }
     fn observe(&self, block: &Block, scratch: &mut Scratch, (): &mut ()) -> Result<BatchPart, MissingColumn> {
-        match &self.0 {
+        match &self.numbers {
             Numbers::Column(column) => Ok(BatchPart::Numbers(block.f64(column)?.to_vec())),
             Numbers::Event(column, distance, event) => {
                 mask(scratch, block.f64(column)?, block.f64(distance)?, *event);

@@ -16,7 +16,7 @@ pub(super) const TEST: Test = Test {
 ```text
 t_j = (share_j - P_j) / (sd of 64 batch means / 8),   p = min(1, 17 min p_j),   63 degrees of freedom
 ```
-Gate:    made where `independent` is withdrawn, in place of all tests that need it. A share has 6,400 rows in and out of it, and among 256
+Gate:    made where `independent` is withdrawn or `replicates` are declared (then over their means, 32 or more), in place of all tests that need it. A share has 6,400 rows in and out of it, and among 256
          batches neighbours have a correlation of at most 3/16; withheld if no share has both.
 Rejects: as wrong_law, or as biased of a method that is biased by design.
 Source:  Student (1908), Schmeiser (1982).",

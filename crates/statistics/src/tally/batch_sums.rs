@@ -9,6 +9,8 @@ pub const SHARES: usize = 16;
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchSums {
     width: usize,
+    /// Rows of a group that is independent of all others, if rows come in groups.
+    group: Option<u64>,
     /// Rows of a batch.
     rows: u64,
     /// The numbers of each batch, one batch after the other.
@@ -36,8 +38,14 @@ impl BatchSums {
     /// No rows yet, of so many numbers each.
     #[must_use]
     pub fn new(width: usize) -> Self {
+        Self::grouped(width, None)
+    }
+
+    /// The same of rows that come in groups of a size, if one is given: then batches are whole groups.
+    #[must_use]
+    pub fn grouped(width: usize, group: Option<u64>) -> Self {
         let (sums, open) = (Vec::new(), vec![0.0; width]);
-        Self { width, rows: 1, sums, open, filled: 0, common: None, all: 0, differing: 0 }
+        Self { width, group, rows: group.unwrap_or(1), sums, open, filled: 0, common: None, all: 0, differing: 0 }
     }
 
     /// Takes in the next rows of one number each.
@@ -89,11 +97,18 @@ impl BatchSums {
         self.differing
     }
 
+    /// The means of number `k` over each group, or over neighbouring ones together where there are very many; none if rows come in no groups.
+    #[must_use]
+    pub fn groups(&self, k: usize) -> Option<BatchMeans> {
+        self.group?;
+        self.means(k, self.sums.len() / self.width)
+    }
+
     /// The means of number `k` over so many contiguous batches; none if there are fewer rows. What is left over at the end, less than a
     /// hundredth where rows are many, is in none.
     #[must_use]
     pub fn means(&self, k: usize, batches: usize) -> Option<BatchMeans> {
-        let each = self.sums.len() / self.width / batches;
+        let each = (self.sums.len() / self.width).checked_div(batches)?;
         let rows = each as u64 * self.rows;
         let of = |batch: &[f64]| batch.iter().skip(k).step_by(self.width).sum::<f64>() / rows as f64;
         let means = || self.sums.chunks_exact(each * self.width).take(batches).map(of).collect();
@@ -101,9 +116,9 @@ impl BatchSums {
     }
 }
 
-/// Equal bit for bit, so that NaN is a value as any other.
+/// Equal numbers; NaN is none.
 fn same(a: f64, b: f64) -> bool {
-    a.total_cmp(&b).is_eq()
+    (a - b).abs() <= 0.0
 }
 
 /// The number that more than half of the column are (Boyer and Moore 1981).
@@ -116,7 +131,7 @@ fn commonest(column: &[f64]) -> Option<f64> {
             _ => (common, votes - 1),
         };
     }
-    let count = column.iter().filter(|x| same(**x, common)).count();
+    let count = column.iter().filter(|&&x| same(x, common)).count();
     (2 * count > column.len()).then_some(common)
 }
 

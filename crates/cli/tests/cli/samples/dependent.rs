@@ -63,3 +63,24 @@ fn what_needs_independent_draws_is_refused_without_them() {
         assert!(code == 2 && err.contains(part), "{err}");
     }
 }
+
+/// A stratified sample has a mean that is far sharper than its rows tell, and its groups tell it.
+#[test]
+fn a_stratified_estimator_is_judged_by_its_replicates() {
+    let estimates = |factor: f64| -> Vec<f64> {
+        let mut rng = Key { seed: 1, subject: 33, block: 0 }.rng();
+        let mut uniform = |i: u32| (f64::from(i % 64) + freepath_draws::random::uniform(&mut rng)) / 64.0;
+        (0..999 * 64 + 5).map(|i| 0.099_574_136_735_727_89 * factor * uniform(i)).collect()
+    };
+    let of = |factor: f64, more: &[&str]| judged("dependent_groups", "transmittance", &estimates(factor), more);
+    let declared = ["--declare", "replicates:64"];
+    let right = of(1.0, &declared);
+    let mean = right.mean.as_ref().unwrap();
+    assert_eq!((reasons(&right).len(), mean.method.as_str()), (0, "batch_means"), "{:?}", right.notes);
+    assert_eq!(right.draws % 64, 0, "stage 2 begins with a group");
+    assert!(mean.bound.0 < 5e-5, "twenty times below that of the rows: {mean:?}");
+    assert_eq!(reasons(&of(1.002, &declared)), ["biased"]);
+    assert_eq!(reasons(&of(1.002, &[])), [] as [&str; 0], "rows alone do not show it");
+    let few = of(1.0, &["--declare", "replicates:4096"]);
+    assert!(few.notes[0].contains("groups of rows, at least 32 are needed"), "{:?}", few.notes);
+}

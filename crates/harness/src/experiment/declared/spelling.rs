@@ -5,7 +5,8 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The spellings that there are, for messages.
-const ALLOWED: &str = "range:LOW,HIGH with finite numbers LOW < HIGH, or noise_free";
+const ALLOWED: &str =
+    "range:LOW,HIGH with finite numbers LOW < HIGH, noise_free, or replicates:N with N rows of 2 or more";
 
 /// One declaration, as a command line has it.
 impl FromStr for Declared {
@@ -15,6 +16,11 @@ impl FromStr for Declared {
         let none = Self::default();
         if text == "noise_free" {
             return Ok(Self { noise_free: true, ..none });
+        }
+        if let Some(rows) = text.strip_prefix("replicates:") {
+            let declared = Self { replicates: rows.parse().ok(), ..none };
+            let sound = declared.replicates.is_some() && declared.check_replicates().is_ok();
+            return if sound { Ok(declared) } else { Err(ALLOWED.into()) };
         }
         let range = text.strip_prefix("range:").and_then(|ends| ends.split_once(','));
         let ends = range.and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
@@ -28,7 +34,8 @@ impl fmt::Display for Declared {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let range = self.range.map(|[low, high]| format!("range:{low:e},{high:e}"));
         let noise_free = self.noise_free.then(|| "noise_free".to_string());
-        let all: Vec<String> = range.into_iter().chain(noise_free).collect();
+        let replicates = self.replicates.map(|rows| format!("replicates:{rows}"));
+        let all: Vec<String> = range.into_iter().chain(noise_free).chain(replicates).collect();
         f.write_str(&all.join(" "))
     }
 }
@@ -39,10 +46,20 @@ mod tests {
 
     #[test]
     fn a_declaration_is_read_as_it_is_written() {
-        for text in ["range:0e0,1e0", "range:-1.5e0,2e-3", "noise_free"] {
+        for text in ["range:0e0,1e0", "range:-1.5e0,2e-3", "noise_free", "replicates:1024"] {
             assert_eq!(text.parse::<Declared>().unwrap().to_string(), text);
         }
-        for text in ["range:1,0", "range:0", "range:0,inf", "range:nan,1", "range", "noisy", ""] {
+        for text in [
+            "range:1,0",
+            "range:0",
+            "range:0,inf",
+            "range:nan,1",
+            "range",
+            "noisy",
+            "",
+            "replicates:1",
+            "replicates:x",
+        ] {
             assert_eq!(text.parse::<Declared>().unwrap_err(), ALLOWED, "{text}");
         }
     }

@@ -10,7 +10,7 @@ mod hostile;
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 
 fn asked(rows: RowFormat) -> Request {
-    Request { rows, format: None, draws: None, tolerance: None }
+    Request { rows, format: None, draws: None, tolerance: None, group: None }
 }
 
 /// On a ray of length 2.

@@ -19,6 +19,9 @@ const FINE: usize = 256;
 /// Most correlation that neighbours may have there.
 const MOST_CORRELATION: f64 = 3.0 / 16.0;
 
+/// Fewest groups of rows that are said to be independent.
+const FEWEST_GROUPS: usize = 32;
+
 /// Fewest rows that differ from the commonest.
 pub(in crate::hypothesis) const FEWEST_ROWS: u64 = 6_400;
 
@@ -42,18 +45,18 @@ pub fn batch_mean(
     match doubt(sums, batches, claim).map_or_else(|| of_means(batches, 0), Err) {
         Ok(means) => {
             let (t, error) = (standardised(excess, means.error()), means.error());
-            let dof = BATCHES as f64 - 1.0;
+            let dof = means.means.len() as f64 - 1.0;
             let evidence = Evidence::new(name, t, Some(dof), student_t_two_sided(dof, t), reason);
             let note = format!(
                 "mean {:.6e}, {:.6e} expected; {} batches of {} rows",
                 sums.center + sums.bias(),
                 claim.expected,
-                BATCHES,
+                means.means.len(),
                 means.rows
             );
             (
                 evidence.under(Null::lessened(slack(claim), error)).noted(note),
-                about(bias(sums, claim), error),
+                about(bias(sums, claim), error, dof),
                 None,
             )
         }
@@ -65,8 +68,8 @@ pub fn batch_mean(
 }
 
 /// The interval at the reporting level.
-fn about(bias: f64, error: f64) -> Interval {
-    let t = student_t_quantile(BATCHES as f64 - 1.0, 0.5 * REPORTING_LEVEL);
+fn about(bias: f64, error: f64, dof: f64) -> Interval {
+    let t = student_t_quantile(dof, 0.5 * REPORTING_LEVEL);
     Interval { method: Method::BatchMeans, low: bias - t * error, high: bias + t * error }
 }
 
@@ -75,6 +78,7 @@ fn about(bias: f64, error: f64) -> Interval {
 pub fn detectable_batch_mean(
     interval: &Interval,
     sums: &PowerSums,
+    batches: &BatchSums,
     claim: &MeanClaim,
     detection: &Detection,
 ) -> f64 {
@@ -82,14 +86,15 @@ pub fn detectable_batch_mean(
     if interval.method != Method::BatchMeans {
         return half; // nothing but rounding and slack, or nothing known
     }
-    let error = half / student_t_quantile(BATCHES as f64 - 1.0, 0.5 * REPORTING_LEVEL);
+    let means = batches.groups(0).map_or(BATCHES, |groups| groups.means.len());
+    let error = half / student_t_quantile(means as f64 - 1.0, 0.5 * REPORTING_LEVEL);
     detection.mean(error * (sums.n as f64).sqrt()) + claim.slack
 }
 
 /// What the rows themselves say against it.
 fn doubt(sums: &PowerSums, batches: &BatchSums, claim: &MeanClaim) -> Option<(Reason, String)> {
     let (skewness, differing) = (skewness(sums, claim), batches.differing());
-    if differing < FEWEST_ROWS {
+    if differing < FEWEST_ROWS && batches.groups(0).is_none() {
         let why =
             format!("{differing} rows differ from the commonest, {FEWEST_ROWS} are needed where rows may depend");
         return Some((Reason::RareEvent, why));
@@ -100,6 +105,11 @@ fn doubt(sums: &PowerSums, batches: &BatchSums, claim: &MeanClaim) -> Option<(Re
 
 /// The means of number `k` over 64 batches, if longer batches than those of a quarter of their size do not depend on one another.
 pub(in crate::hypothesis) fn of_means(batches: &BatchSums, k: usize) -> Result<BatchMeans, (Reason, String)> {
+    if let Some(groups) = batches.groups(k) {
+        let (n, why) = (groups.means.len(), "groups of rows, at least 32 are needed");
+        let few = || (Reason::NotEnoughDraws, format!("there are {n} {why}"));
+        return (n >= FEWEST_GROUPS).then_some(groups).ok_or_else(few);
+    }
     let few = || (Reason::NotEnoughDraws, format!("there are fewer than {FINE} batches of rows"));
     let fine = batches.means(k, FINE).ok_or_else(few)?;
     let correlation = fine.neighbours();
@@ -157,9 +167,28 @@ mod tests {
         assert!(biased.iter().all(|p| *p < Some(1e-4)));
     }
 
+    /// Each group of 64 is a stratified sample, so that its mean varies 64 times less than that of as many independent rows.
+    #[test]
+    fn groups_of_rows_are_judged_by_their_own_means() {
+        let of = |block, bias: f64| {
+            let mut rng = Key { seed: 8, subject: 23, block }.rng();
+            let draws: Vec<f64> =
+                (0..256 * 64).map(|i| bias + (f64::from(i % 64) + uniform(&mut rng)) / 64.0).collect();
+            let mut groups = BatchSums::grouped(1, Some(64));
+            draws.chunks(1000).for_each(|part| groups.observe(part));
+            batch_mean("mean", &PowerSums::of(0.5, &draws), &groups, &CLAIM, Reason::Biased)
+        };
+        let small = (0..400).filter(|&block| of(block, 0.0).0.p <= Some(0.05)).count();
+        assert!((8..=34).contains(&small), "{small}");
+        let error = 0.2887 / 64.0 / 128.0; // of 16,384 strata
+        let Interval { low, high, .. } = of(0, 0.0).1;
+        assert!((0.5 * (high - low) / error - 5.02).abs() < 0.7, "{low} {high}");
+        assert!(of(0, 10.0 * error).0.p < Some(1e-9), "a tenth of what independent rows would show");
+    }
+
     #[test]
     fn the_interval_ends_where_the_test_rejects() {
-        let Interval { low, high, .. } = about(0.0, 1.0);
+        let Interval { low, high, .. } = about(0.0, 1.0, 63.0);
         assert!((student_t_two_sided(63.0, high) / REPORTING_LEVEL - 1.0).abs() < 1e-6 && low + high == 0.0);
     }
 }
