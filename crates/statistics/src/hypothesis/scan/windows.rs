@@ -13,7 +13,12 @@ pub(super) struct Windows<'a> {
     draws: u64,
     /// Draws below each edge.
     below: Vec<u64>,
+    /// The cell from which on nothing lies, and next to nothing should.
+    end: usize,
 }
+
+/// Of the probability, as much as no number of draws shows: beyond it lie numbers that are slow to add.
+const NOTHING: f64 = 1e-30;
 
 /// A window whose count is off.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +39,9 @@ impl<'a> Windows<'a> {
             *sum += count;
             Some(*sum)
         }));
-        Self { law, draws: tally.draws(), below }
+        let last_draw = below.partition_point(|&all| all < tally.collided());
+        let end = (last_draw..law.cells()).step_by(64).find(|&k| law.mass_between(k, law.cells()) < NOTHING);
+        Self { law, draws: tally.draws(), below, end: end.unwrap_or(law.cells()) }
     }
 
     pub(super) fn draws(&self) -> u64 {
@@ -66,7 +73,8 @@ impl<'a> Windows<'a> {
         let mut off = Vec::new();
         let n = self.draws as f64;
         for width in WIDTHS {
-            for from in 0..self.starts(width) {
+            let starts = if self.starts(width) < self.end { self.starts(width) } else { self.end };
+            for from in 0..starts {
                 let to = from + width;
                 let mass = self.law.mass_between(from, to);
                 let gap = self.seen(from, to) as f64 - n * mass;
