@@ -116,7 +116,7 @@ impl Kind {
 /// Both stages of the file, as `freepath check` judges them.
 fn judged(path: &Path, medium: &Constant) -> Fallible<()> {
     let rows = RowFormat::free_path(Place::Only, EscapeRule { length: LENGTH, escapes: Escapes::AtInfinity });
-    let request = Request { rows, format: None, draws: None, tolerance: None };
+    let request = Request { rows, format: None, draws: None, tolerance: None, group: None };
     let file = SampleFile::open(path, &request)?;
     let source = Source::External(&file);
     let experiment = InScene::<FreePathKind> { source, scene: Ray::of(medium) };

@@ -134,7 +134,7 @@ fn requests() -> [Request; 4] {
         RowFormat::estimate(place("w")),
         RowFormat::chromatic(2.0, 2),
     ];
-    rows.map(|rows| Request { rows, format: None, draws: None, tolerance: None })
+    rows.map(|rows| Request { rows, format: None, draws: None, group: None, tolerance: None })
 }
 
 fn from_file(folder: &Path, name: &str) -> Reader {
