@@ -27,10 +27,13 @@ impl RankGroups {
     /// Rows of each pair of groups, the second `lag` rows later, round the ring.
     #[must_use]
     pub fn pairs(&self, lag: usize) -> Vec<u64> {
-        let groups = self.counts.len();
+        let (groups, rows) = (self.counts.len(), self.of.len());
         let mut table = vec![0; groups * groups];
-        let later = self.of[lag..].iter().chain(&self.of[..lag]);
-        self.of.iter().zip(later).for_each(|(&a, &b)| table[usize::from(a) * groups + usize::from(b)] += 1);
+        let mut count = |first: &[u8], second: &[u8]| {
+            first.iter().zip(second).for_each(|(&a, &b)| table[usize::from(a) * groups + usize::from(b)] += 1);
+        };
+        count(&self.of[..rows - lag], &self.of[lag..]);
+        count(&self.of[rows - lag..], &self.of[..lag]);
         table
     }
 
