@@ -14,7 +14,7 @@ against all. It sees a warm-up, a bound that is learned, a stale start, a drift.
 z = P_m / sqrt(s^2 m (n - m) / (n - 1)),   P_m = sum_(i <= m) (q_i - mean q),   m = 256, 512, .. n / 2
 p = min(1, 2 prefixes x min of both tails)
 ```
-Gate:    512 rows; a prefix counts where the skewness of z is at most 0.1.
+Gate:    512 rows; a prefix counts where the skewness of z is at most 0.1, and its excess kurtosis 4e-3 above that of its law.
 Rejects: as dependent; the note says where in the run the rows differ, and by how much.
 Source:  the rank-sum test (Wilcoxon 1945), tail by Pearson's type III law (1895).",
     nulls: &[NullClass::Conservative],
@@ -41,6 +41,9 @@ Source:  Fisher's exact test (1935).",
 
 /// The greatest skewness of a prefix for which its tail is known.
 const MOST_SKEW: f64 = 0.1;
+
+/// The most by which the excess kurtosis of a prefix may be above that of its Pearson law: 10 % of a tail of 5 standard deviations.
+const MOST_EXCESS: f64 = 4e-3;
 
 /// The prefix that is the least likely.
 #[derive(Clone, Copy)]
@@ -96,7 +99,8 @@ fn extreme(sequence: &Sequence, prefix: &Prefix, series: usize) -> Option<Extrem
     let moments = &sequence.moments[series];
     let (n, m, variance) = (moments.rows as f64, prefix.rows as f64, moments.spread() / moments.rows as f64);
     let skewness = moments.skewness() * (n - 2.0 * m) / (n * m * (n - m)).sqrt();
-    if !(variance > 0.0) || !(skewness.abs() <= MOST_SKEW) {
+    let excess = (moments.kurtosis() - 3.0) / m - 1.5 * skewness * skewness;
+    if !(variance > 0.0) || !(skewness.abs() <= MOST_SKEW) || !(excess <= MOST_EXCESS) {
         return None;
     }
     let (rows, of_all) = (i128::from(moments.rows), i128::from(moments.sum));

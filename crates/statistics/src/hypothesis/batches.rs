@@ -14,7 +14,7 @@ each lies from the median, at every dyadic size over all rows.",
 z = (sum Y^2 - E) / sd,   E = m b s^2 (1 - (b - 1) / (n - 1)),   sd = s^2 sqrt(2 (m - 1) b (b - 1)),   b = 16, 32, .. while m >= 32
 p = min(1, series x sizes x min of both tails)
 ```
-Gate:    512 rows; a size counts where the skewness that the rows add to z is at most 0.05.
+Gate:    512 rows; a size counts where the skewness that the rows add to z is at most 0.05, and the kurtosis 1e-3.
 Rejects: as dependent: copies, drifts and seeds by tile (too wide), or stratified and mirrored rows (too even); the note says at which size.
 Source:  tail by Pearson's type III law (1895), which is chi-square for large batches.",
     nulls: &[NullClass::Conservative],
@@ -27,6 +27,9 @@ const FEWEST: u64 = 32;
 
 /// The most that rows may add to the skewness of z.
 const MOST_SKEW: f64 = 0.05;
+
+/// The most by which the excess kurtosis that the rows add may be above that of the law of z.
+const MOST_EXCESS: f64 = 1e-3;
 
 /// The size whose variance is the least likely.
 struct Extreme {
@@ -75,7 +78,8 @@ fn extreme(of: &DyadicSums, moments: &ScoreMoments, name: &'static str) -> Optio
     let (n, m, b, g) = (moments.rows as f64, of.batches as f64, of.size as f64, moments.skewness());
     let (variance, pairs) = (moments.spread() / n, b * (b - 1.0));
     let added = g * g / (0.5 * m * pairs).sqrt();
-    if !(variance > 0.0) || !(added <= MOST_SKEW) {
+    let excess = moments.kurtosis() * moments.kurtosis() / (0.5 * m * pairs) - 1.5 * added * added;
+    if !(variance > 0.0) || !(added <= MOST_SKEW) || !(excess <= MOST_EXCESS) {
         return None;
     }
     let expected = m * b * variance * (1.0 - (b - 1.0) / (n - 1.0));

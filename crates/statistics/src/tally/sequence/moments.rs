@@ -9,6 +9,8 @@ pub struct ScoreMoments {
     pub squares: i128,
     /// Sum of cubes.
     pub cubes: i128,
+    /// Sum of fourth powers.
+    pub fourths: i128,
 }
 
 /// Sums that run side by side, so that none waits for another.
@@ -22,10 +24,11 @@ impl ScoreMoments {
     pub(super) fn of_both(scores: &[i16]) -> [Self; 2] {
         let mut both = [Self::default(); 2];
         for part in scores.chunks(PART) {
-            let Sums { sum, distance, squares, cubes, distance_cubes } = Sums::of(part);
+            let Sums { sum, distance, squares, cubes, distance_cubes, fourths } = Sums::of(part);
+            let fourths = i128::from(fourths);
             let (rows, squares) = (part.len() as u64, i128::from(squares));
-            both[0].add(&Self { rows, sum, squares, cubes: i128::from(cubes) });
-            both[1].add(&Self { rows, sum: distance, squares, cubes: i128::from(distance_cubes) });
+            both[0].add(&Self { rows, sum, squares, cubes: i128::from(cubes), fourths });
+            both[1].add(&Self { rows, sum: distance, squares, cubes: i128::from(distance_cubes), fourths });
         }
         both
     }
@@ -42,6 +45,7 @@ impl ScoreMoments {
         self.sum += more.sum;
         self.squares += more.squares;
         self.cubes += more.cubes;
+        self.fourths += more.fourths;
     }
 
     /// Mean score; NaN of no rows.
@@ -65,6 +69,17 @@ impl ScoreMoments {
         let variance = self.spread() / n;
         third / n / (variance * variance.sqrt())
     }
+
+    /// Fourth central moment over the square of the variance: 3 of a normal law; NaN if nothing varies.
+    #[must_use]
+    pub fn kurtosis(&self) -> f64 {
+        let (n, mean) = (self.rows as f64, self.mean());
+        let (squares, cubes, fourths) = (self.squares as f64, self.cubes as f64, self.fourths as f64);
+        let fourth =
+            fourths - 4.0 * mean * cubes + 6.0 * mean * mean * squares - 3.0 * n * mean * mean * mean * mean;
+        let variance = self.spread() / n;
+        fourth / n / (variance * variance)
+    }
 }
 
 /// Sums over a part.
@@ -75,6 +90,7 @@ struct Sums {
     squares: i64,
     cubes: i64,
     distance_cubes: i64,
+    fourths: i64,
 }
 
 /// Bits of the lower part of a square: either part times a score fits 23 bits.
@@ -98,6 +114,7 @@ impl Sums {
         let [mut sum, mut distance, mut squares]: [Lanes; 3] = [[0; LANES]; 3];
         // a cube is too long for 32 bits: the two parts of the square are multiplied apart
         let [mut high, mut low, mut distance_high, mut distance_low]: [Lanes; 4] = [[0; LANES]; 4];
+        let [mut both_high, mut mixed, mut both_low]: [Lanes; 3] = [[0; LANES]; 3];
         let rows = part.chunks_exact(LANES);
         let mut padded = [0i16; LANES];
         padded[..rows.remainder().len()].copy_from_slice(rows.remainder()); // 0 adds nothing to any sum
@@ -113,6 +130,9 @@ impl Sums {
                 low[i] += score * below;
                 distance_high[i] += away * above;
                 distance_low[i] += away * below;
+                both_high[i] += above * above;
+                mixed[i] += above * below;
+                both_low[i] += below * below;
             }
         }
         let wide = |lanes: &Lanes| lanes.iter().map(|&x| i64::from(x)).sum::<i64>();
@@ -122,6 +142,7 @@ impl Sums {
             squares: wide(&squares),
             cubes: (wide(&high) << LOW) + wide(&low),
             distance_cubes: (wide(&distance_high) << LOW) + wide(&distance_low),
+            fourths: (wide(&both_high) << (2 * LOW)) + (wide(&mixed) << (LOW + 1)) + wide(&both_low),
         }
     }
 }

@@ -45,6 +45,10 @@ fn moments_are_exact() {
     let power = |of: fn(i128) -> i128| rows.iter().map(|&score| of(i128::from(score))).sum::<i128>();
     assert_eq!((plain.rows, i128::from(plain.sum), plain.squares), (5003, power(|q| q), power(|q| q * q)));
     assert_eq!((plain.cubes, distance.cubes), (power(|q| q * q * q), power(|q| (q * q * q).abs())));
+    assert_eq!((plain.fourths, distance.fourths), (power(|q| q * q * q * q), plain.fourths));
+    assert!(
+        (plain.kurtosis() - 1.8).abs() < 0.05 && (ScoreMoments::of(&[-9, 9, 0, 0]).kurtosis() - 2.0).abs() < 1e-12
+    );
     assert!((plain.spread() / 5003.0 / (4096.0 * 4096.0 / 12.0) - 1.0).abs() < 0.05);
     assert!(plain.skewness().abs() < 0.1 && ScoreMoments::of(&[3; 9]).skewness().is_nan());
 }
