@@ -13,7 +13,7 @@ use std::cell::Cell;
 /// right: u;   wrong: (stratum of the walk + u) / strata
 /// ```
 ///
-/// Shows in: counts that scatter too little, so that every error bar is too large; nowhere where strata are wide, or a walk needs many numbers.
+/// Shows in: counts that scatter too little, so that every error bar is too large, and sums of many rows; nowhere where a walk needs many numbers.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EvenUniforms {
