@@ -19,7 +19,7 @@ Rejects: as dependent; the note says where in the run the rows differ, and by ho
 Source:  the rank-sum test (Wilcoxon 1945), tail by Pearson's type III law (1895).",
     nulls: &[NullClass::Conservative],
     alone: Alone::No,
-    section: "along",
+    section: "along-and-along_escapes",
 };
 
 /// The record of the test on escapes.
@@ -36,7 +36,7 @@ Rejects: as dependent; the note says where in the run the share differs, and by 
 Source:  Fisher's exact test (1935).",
     nulls: &[NullClass::Conservative],
     alone: Alone::Exact,
-    section: "along",
+    section: "along-and-along_escapes",
 };
 
 /// The greatest skewness of a prefix for which its tail is known.
