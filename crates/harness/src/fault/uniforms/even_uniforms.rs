@@ -6,8 +6,8 @@ use freepath_estimators::ParameterError;
 use freepath_estimators::parameter::require;
 use std::cell::Cell;
 
-/// The first uniforms of 2^14 walks lie in equal strata, as many in each, in random order (a typical slip: stratified or quasi-random
-/// numbers are taken for independent ones).
+/// The first uniforms of 2^14 walks lie in equal strata, as many in each, in random order: stratified or quasi-random numbers are
+/// taken for independent ones (a typical slip).
 ///
 /// ```text
 /// right: u;   wrong: (stratum of the walk + u) / strata

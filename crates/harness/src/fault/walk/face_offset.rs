@@ -2,8 +2,8 @@ use crate::fault::{Injection, Overlay, Target, WalkContext};
 use freepath_estimators::parameter::require;
 use freepath_estimators::{FreePath, ParameterError};
 
-/// Behind each face the ray starts again a little further on, so as not to meet the face twice (a typical slip: a self-intersection
-/// epsilon).
+/// Behind each face the ray starts again a little further on, by a self-intersection epsilon, so as not to meet the face twice
+/// (a typical slip).
 ///
 /// ```text
 /// right: t = face + s;   wrong: t = face + offset + s,  an escape beyond the end
