@@ -3,6 +3,7 @@
 //! Two roads lead to a failure by p-values: both stages reject, or one stage rejects alone, by far smaller p-values of tests that
 //! are true so deep. `docs/statistics.md` has the proof that a run of right subjects takes either with at most [`ALPHA`].
 
+use crate::hypothesis::ties;
 use crate::judged::Judged;
 use freepath_results::{Reason, Verdict};
 use stage::rejects_at;
@@ -85,11 +86,15 @@ fn open(first: &Stage, second: Option<&Stage>) -> Vec<(Reason, String)> {
 }
 
 /// The rejections whose reasons are told, and the others. Where rows depend on one another order is judged first: all other p-values were made for
-/// independent rows, and say nothing of the law or the mean.
+/// independent rows, and say nothing of the law or the mean. Ties alone are no order: a law with a spike has them as well.
 fn telling<'a, 'b>(rejected: &'b [Rejection<'a>]) -> (Vec<&'b Rejection<'a>>, Vec<&'b Rejection<'a>>) {
-    let of_order = |rejection: &&Rejection| rejection.evidence().reason == Reason::Dependent;
-    let (order, others): (Vec<_>, Vec<_>) = rejected.iter().partition(of_order);
-    if order.is_empty() { (others, order) } else { (order, others) }
+    let dependent = |rejection: &&Rejection| rejection.evidence().reason == Reason::Dependent;
+    let of_order = |rejection: &Rejection| dependent(&rejection) && rejection.evidence().name != ties::TEST.name;
+    if rejected.iter().any(of_order) {
+        rejected.iter().partition(dependent)
+    } else {
+        (rejected.iter().collect(), Vec::new())
+    }
 }
 
 fn undecided(gates: Vec<(Reason, String)>, facts: Vec<(Reason, String)>) -> Decision {

@@ -41,7 +41,7 @@ mod scan;
 mod second_moment;
 mod sequence;
 mod series;
-mod ties;
+pub(crate) mod ties;
 mod too_even;
 mod triples;
 mod whole_law;

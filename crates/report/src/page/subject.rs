@@ -10,6 +10,9 @@ use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{FactResult, Real, Reason, SubjectResult, TestResult};
 
+/// The p-value above which the note of a test tells of chance alone, and is left to results.json.
+const SUSPECT: f64 = 1e-3;
+
 /// Most claims, notes and tests that are shown of one subject.
 const MOST: usize = 60;
 
@@ -203,17 +206,18 @@ fn test(test: &TestResult) -> TestRow {
         TestResult { rejected: true, .. } => ("rejected", "rejected, if both stages do"),
         TestResult { reported: true, .. } => ("reported", "shown, not judged"),
         TestResult { p: None, .. } => ("reported", "not judged"),
-        _ => ("", "not rejected"),
+        _ => ("", ""), // the glossary says that it is not rejected
     };
+    let tells = test.p.is_none_or(|p| !(p.0 > SUSPECT)) || test.rejected || test.rejected_alone;
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
         statistic: statistic(test),
-        dof: shown(test.dof, short),
+        dof: test.dof.map_or_else(String::new, |dof| short(dof.0)),
         p: chance(test.p),
         adjusted: chance(test.p_adjusted),
         class,
         decision,
-        note: clean(&test.note, 300),
+        note: if tells { clean(&test.note, 300) } else { String::new() },
     }
 }

@@ -6,7 +6,7 @@ use crate::tally::TieTally;
 use freepath_results::Reason;
 
 /// The test's record.
-pub(super) const TEST: Test = Test {
+pub(crate) const TEST: Test = Test {
     name: "ties",
     words: "Equal values among the draws: at the declared resolution almost none are expected, so repeated, quantised or \
 clamped draws stand out. Looked for in a share of all values, chosen by value, and in all of the first draws.",

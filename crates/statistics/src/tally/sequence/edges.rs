@@ -55,7 +55,8 @@ impl Edges {
             let edge = self.edges[(below + step - 1) % PLACES]; // never beyond: the remainder spares a check
             below += usize::from(edge < value) * step;
         }
-        2 * (below % PLACES) + usize::from(self.edges[below % PLACES] == value)
+        let edge = self.edges[below % PLACES];
+        2 * (below % PLACES) + usize::from(edge.total_cmp(&value).is_eq())
     }
 
     /// The score of each value.
