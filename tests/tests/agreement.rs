@@ -43,7 +43,7 @@ fn agreement_of(along: Along, truth: &Arc<dyn Medium>, agreement: Agreement) -> 
     let watch = Watch { cancelled: &never, progress: &|_| () };
     let own = observe(&subject, &plan, 4, 0..BLOCKS, &watch).expect("it draws").tallies;
     let judged = plan.claims.judge(&own);
-    assert!(judged.evidence.iter().all(|evidence| evidence.p > Some(1e-4)), "{judged:?}");
+    assert!(judged.evidence.iter().all(|evidence| evidence.p.is_none_or(|p| p > 1e-4)), "{judged:?}");
     let other = agreement.setting(truth).expect("there is such a setting");
     let variant = Variant { other: Other::Setting(agreement), experiment: along.ray(Ray::of(&other)) };
     let compared = agree(&subject, &plan, &variant, &own, 4, 0..BLOCKS, &watch).expect("it draws");

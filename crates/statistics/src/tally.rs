@@ -25,7 +25,7 @@ pub use counts::CountTally;
 pub use extremes::{Extremes, KEPT};
 pub use flanks::{FLANKS, Flank, FlankTally, Flanks, Side};
 pub(crate) use lag::RANK_GROUPS;
-pub use lag::{LAGS, LagTally, Scores};
+pub use lag::{LAGS, LagTally, Scores, Spread};
 pub use nulls::NullTally;
 pub use sequence::{
     BlockRows, Circular, Correlations, DyadicBatches, DyadicSums, EDGES_FROM, Edges, Escaped, Kept, MEASURES,

@@ -3,7 +3,7 @@ use super::mean::gate;
 use super::record::Test;
 use crate::evidence::{Alone, Evidence, NullClass};
 use crate::special::{chi_square_sf, pearson_two_sided};
-use crate::tally::{CellTally, LAGS, LagTally, Scores};
+use crate::tally::{CellTally, LAGS, LagTally, Scores, Spread};
 use freepath_results::Reason;
 
 /// The record of the test at distance 1.
@@ -15,7 +15,8 @@ beside what their own mean gives, with the variance and the skewness that they h
 ```text
 Z = (sum s_i s_(i+1) - pairs mean(s)^2) / (var(s) sqrt(pairs)),   s = rank under the law - its mean, var(s) as seen
 ```
-Gate:    1000 pairs, and a skewness of Z of at most 0.1: not where nearly all draws escape.
+Gate:    1000 pairs, a skewness of Z of at most 0.1 and an excess kurtosis of at most 1e-3 above that of its law: not where nearly
+all draws escape, or are alike.
 Rejects: as dependent: rows in order of completion, a random number that is used twice.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     nulls: &[NullClass::Uniform],
@@ -32,7 +33,7 @@ standardised lag products is chi-square. One p-value for all, since a repeat of 
 ```text
 X = sum_(h = 2..8) Z_h^2,   dof = 7,   Z_h as in lag_1 at a distance of h draws
 ```
-Gate:    1000 pairs, and a skewness of each Z_h of at most 0.03.
+Gate:    1000 pairs, a skewness of each Z_h of at most 0.03 and an excess kurtosis as for lag_1.
 Rejects: as dependent: a repeat of any period up to 8; the note names the worst.",
     nulls: &[NullClass::Uniform],
     alone: Alone::No,
@@ -57,9 +58,13 @@ pub fn lag(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     if tally.pairs[0] < FEWEST_PAIRS {
         return withheld(f64::NAN, &format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
-    let (z, skewness) = product(spread(scores, cells), tally, scores.mean_of(cells), 1);
+    let spread = spread(scores, cells);
+    let (z, skewness) = product(spread, tally, scores.mean_of(cells), 1);
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
+    }
+    if !tame(spread, tally.pairs[0] as f64) {
+        return withheld(z, FAR_TAILS);
     }
     Evidence::new(TEST.name, z, None, pearson_two_sided(skewness, z), Reason::Dependent)
 }
@@ -84,6 +89,9 @@ pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     if !all.iter().all(|(_, (_, skewness))| gate(*skewness, 1.0).0) {
         return withheld("most draws escape: too few pairs of collisions");
     }
+    if !tame(spread, tally.pairs[LAGS - 1] as f64) {
+        return withheld(FAR_TAILS);
+    }
     let statistic: f64 = all.iter().map(|(_, (z, _))| z * z).sum();
     let (h, z) = all.iter().fold(
         (0, 0.0),
@@ -96,13 +104,31 @@ pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
         .noted(format!("most at lag {h}: z = {z:.2}"))
 }
 
-/// Variance and skewness of the scores as drawn; NaN under a law that is none.
-fn spread(scores: &Scores, cells: &CellTally) -> (f64, f64) {
-    if scores.variance().is_nan() { (f64::NAN, f64::NAN) } else { scores.spread_of(cells) }
+/// The scores as drawn; NaN under a law that is none.
+fn spread(scores: &Scores, cells: &CellTally) -> Spread {
+    if scores.variance().is_nan() {
+        Spread { variance: f64::NAN, skewness: f64::NAN, kurtosis: f64::NAN }
+    } else {
+        scores.spread_of(cells)
+    }
+}
+
+/// Why a tail is not known.
+const FAR_TAILS: &str = "nearly all draws are alike: the tail of their products is not known";
+
+/// The most by which the kurtosis of a sum of products may exceed that of Pearson's law of the same skewness.
+const MOST_EXCESS: f64 = 1e-3;
+
+/// True if the sum of products has the tail of Pearson's law: draws of a wrong law, nearly all alike and rarely far off on either side,
+/// are not skew and have far tails.
+fn tame(Spread { skewness, kurtosis, .. }: Spread, pairs: f64) -> bool {
+    let of_law = 1.5 * libm::pow(skewness, 4.0) / pairs;
+    (kurtosis * kurtosis - 3.0) / pairs - of_law <= MOST_EXCESS
 }
 
 /// The standardised sum of products at a lag, and its skewness, for scores of such a variance and skewness.
-fn product((variance, skew): (f64, f64), tally: &LagTally, mean: f64, lag: usize) -> (f64, f64) {
+fn product(spread: Spread, tally: &LagTally, mean: f64, lag: usize) -> (f64, f64) {
+    let Spread { variance, skewness: skew, .. } = spread;
     let pairs = tally.pairs[lag - 1] as f64;
     let excess = tally.products[lag - 1] as f64 - pairs * mean * mean;
     (standardised(excess, variance * pairs.sqrt()), skew * skew / pairs.sqrt())

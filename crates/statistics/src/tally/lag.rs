@@ -34,6 +34,17 @@ const PART: usize = 256;
 /// Tables of neighbours that are filled in turn.
 const TURNS: usize = 4;
 
+/// Moments of scores as drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// In squared units.
+    pub variance: f64,
+    /// NaN if nothing varies.
+    pub skewness: f64,
+    /// As `skewness`; 3 of a normal law.
+    pub kurtosis: f64,
+}
+
 /// The scores of a law's cells.
 #[derive(Clone, Debug)]
 pub struct Scores {
@@ -99,18 +110,20 @@ impl Scores {
         sum as f64 / tally.draws() as f64
     }
 
-    /// Variance and skewness of the scores of the draws in `tally`.
+    /// The moments of the scores of the draws in `tally`.
     #[must_use]
-    pub fn spread_of(&self, tally: &CellTally) -> (f64, f64) {
+    pub fn spread_of(&self, tally: &CellTally) -> Spread {
         let (n, mean) = (tally.draws() as f64, self.mean_of(tally));
         let scored = [&tally.escapes].into_iter().chain(&tally.cells).zip(&self.table[1..]);
-        let (mut second, mut third) = (0.0, 0.0);
+        let (mut second, mut third, mut fourth) = (0.0, 0.0, 0.0);
         for (&count, &score) in scored.filter(|(count, _)| **count > 0) {
             let off = f64::from(score) - mean;
             second += count as f64 / n * off * off;
             third += count as f64 / n * off * off * off;
+            fourth += count as f64 / n * (off * off) * (off * off);
         }
-        (second, third / (second * second.sqrt()))
+        let skewness = third / (second * second.sqrt());
+        Spread { variance: second, skewness, kurtosis: fourth / (second * second) }
     }
 
     #[inline(always)]
