@@ -59,7 +59,7 @@ pub fn lag(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
         return withheld(f64::NAN, &format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
     let spread = spread(scores, cells);
-    let (z, skewness) = product(spread, tally, scores.mean_of(cells), 1);
+    let (z, skewness) = product(spread, tally, Scored::of(scores, cells), 1);
     if !gate(skewness, 1.0).1 {
         return withheld(z, "nearly all draws escape: too few pairs of collisions");
     }
@@ -84,8 +84,8 @@ pub fn lags(scores: &Scores, tally: &LagTally, cells: &CellTally) -> Evidence {
     if tally.pairs[LAGS - 1] < FEWEST_PAIRS {
         return withheld(&format!("fewer than {FEWEST_PAIRS} pairs of draws"));
     }
-    let (spread, mean) = (spread(scores, cells), scores.mean_of(cells));
-    let all: Vec<_> = (2..=LAGS).map(|h| (h, product(spread, tally, mean, h))).collect();
+    let (spread, scored) = (spread(scores, cells), Scored::of(scores, cells));
+    let all: Vec<_> = (2..=LAGS).map(|h| (h, product(spread, tally, scored, h))).collect();
     if !all.iter().all(|(_, (_, skewness))| gate(*skewness, 1.0).0) {
         return withheld("most draws escape: too few pairs of collisions");
     }
@@ -126,12 +126,29 @@ fn tame(Spread { skewness, kurtosis, .. }: Spread, pairs: f64) -> bool {
     (kurtosis * kurtosis - 3.0) / pairs - of_law <= MOST_EXCESS
 }
 
-/// The standardised sum of products at a lag, and its skewness, for scores of such a variance and skewness.
-fn product(spread: Spread, tally: &LagTally, mean: f64, lag: usize) -> (f64, f64) {
-    let Spread { variance, skewness: skew, .. } = spread;
+/// The standardised sum of products at a lag, and its skewness, for scores of such moments.
+///
+/// Rows at the borders of blocks are in one pair, not two, so that the mean does not cancel in them: under a wrong law, whose mean is
+/// not 0, that scatters too.
+fn product(spread: Spread, tally: &LagTally, scored: Scored, lag: usize) -> (f64, f64) {
+    let (Spread { variance, skewness, .. }, Scored { mean, draws }) = (spread, scored);
     let pairs = tally.pairs[lag - 1] as f64;
     let excess = tally.products[lag - 1] as f64 - pairs * mean * mean;
-    (standardised(excess, variance * pairs.sqrt()), skew * skew / pairs.sqrt())
+    let borders = 2.0 * (draws - pairs) * mean * mean;
+    (standardised(excess, (variance * (variance * pairs + borders)).sqrt()), skewness * skewness / pairs.sqrt())
+}
+
+/// The draws that are scored.
+#[derive(Clone, Copy)]
+struct Scored {
+    mean: f64,
+    draws: f64,
+}
+
+impl Scored {
+    fn of(scores: &Scores, cells: &CellTally) -> Self {
+        Self { mean: scores.mean_of(cells), draws: cells.draws() as f64 }
+    }
 }
 
 #[cfg(test)]
