@@ -199,12 +199,12 @@ fn statistic(test: &TestResult) -> String {
 }
 
 fn test(test: &TestResult) -> TestRow {
-    let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(|| "–".into(), |x| as_text(x.0));
+    let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(String::new, |x| as_text(x.0));
     let chance = |p| shown(p, probability);
     let (class, decision) = match test {
         TestResult { rejected_alone: true, .. } => ("rejected", "rejected, in one stage alone"),
-        TestResult { rejected: true, .. } => ("rejected", "rejected, if both stages do"),
-        TestResult { reported: true, .. } => ("reported", "shown, not judged"),
+        TestResult { rejected: true, .. } => ("rejected", "rejected"),
+        TestResult { reported: true, .. } => ("reported", "shown"),
         TestResult { p: None, .. } => ("reported", "not judged"),
         _ => ("", ""), // the glossary says that it is not rejected
     };
