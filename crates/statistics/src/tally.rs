@@ -34,4 +34,4 @@ pub use sequence::{
 pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
 pub use tail::Tail;
-pub use ties::{Commonest, TieTally};
+pub use ties::{Commonest, Repeats, TieTally};

@@ -43,8 +43,9 @@ impl Claim for TiesClaim {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let collided = tallies.counts(self.cells).collided();
-        let ties = hypothesis::ties(tallies.counts(self.ties), collided, self.pair);
-        let most = tallies.counts(self.ties).commonest().filter(|_| ties.statistic > 0.0);
+        let repeats = tallies.counts(self.ties).repeats();
+        let ties = hypothesis::ties(&repeats, collided, self.pair);
+        let most = repeats.most().filter(|_| ties.statistic > 0.0);
         into.evidence.push(match most.and_then(|most| self.written.told(&most)) {
             Some(note) => ties.noted(note),
             None => ties,

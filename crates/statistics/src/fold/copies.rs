@@ -1,6 +1,6 @@
 use super::{Fold, Merge};
 use crate::block::{Block, Scratch};
-use freepath_draws::MissingColumn;
+use freepath_draws::{MissingColumn, simd};
 use std::borrow::Cow;
 
 /// Fingerprints of whole blocks: equal ones have equal rows.
@@ -12,30 +12,32 @@ pub struct Copies {
 /// Blocks of a range of which fingerprints are kept, from the first one on.
 const KEPT: u64 = 4096;
 
-/// The fingerprint of a block, in 128 bits, so that none is shared by chance.
+/// The fingerprint of a block: eight hashes of 64 bits, each of a share of the rows, so that none is shared by chance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fingerprint {
-    hash: [u64; 2],
+    hash: [u64; HASHES],
     /// Rows.
     pub rows: u64,
-    /// Rows that differ from the commonest one, at most half of them.
+    /// Rows that differ from the commonest one: at least so many.
     pub rare: u64,
 }
 
+/// Hashes that are kept.
+const HASHES: usize = 8;
+
+/// Hashes that are made side by side: so many that none waits for its product.
+const LANES: usize = 32;
+
 impl Fingerprint {
     fn of(columns: &[&[f64]], rows: usize) -> Self {
-        let row = |i: usize| columns.iter().fold(0, |hash, column| mixed(hash ^ canonical(column[i])));
-        let (mut hash, mut common, mut votes) = ([1, 2], 0, 0u64);
-        for i in 0..rows {
-            let row = row(i);
-            hash = [mixed(hash[0] ^ row), mixed(hash[1].wrapping_add(row))];
-            (common, votes) = match votes {
-                0 => (row, 1),
-                _ if row == common => (common, votes + 1),
-                _ => (common, votes - 1),
-            };
-        }
-        let rare = (0..rows).filter(|&i| row(i) != common).count();
+        let (hash, changes) = simd::dispatch(
+            #[inline(always)]
+            || {
+                let words = words(columns, rows);
+                (absorbed(&absorbed::<LANES>(&words)), words.windows(2).filter(|w| w[0] != w[1]).count())
+            },
+        );
+        let rare = changes.div_ceil(2); // a row that differs from the commonest makes two changes at most
         let half = rows / 2;
         Self { hash, rows: rows as u64, rare: if rare < half { rare } else { half } as u64 }
     }
@@ -49,16 +51,40 @@ impl Fingerprint {
 }
 
 /// Bits in which 0 has no sign, and every NaN is the same.
+#[inline(always)]
 fn canonical(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { (x + 0.0).to_bits() }
 }
 
-/// The mixing of SplitMix64 (Steele, Lea and Flood 2014).
-fn mixed(x: u64) -> u64 {
-    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
+/// An odd number without a pattern, the golden ratio.
+const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// One word a row.
+#[inline(always)]
+fn words(columns: &[&[f64]], rows: usize) -> Vec<u64> {
+    let mut words = vec![0; rows];
+    for column in columns {
+        for (word, &x) in words.iter_mut().zip(*column) {
+            *word = u64::rotate_left(*word, 29).wrapping_mul(ODD) ^ canonical(x);
+        }
+    }
+    words
+}
+
+/// Each lane takes in every `N`-th word: one-to-one in its state, so that what differs once stays different.
+#[inline(always)]
+fn absorbed<const N: usize>(words: &[u64]) -> [u64; N] {
+    let mut hash = [words.len() as u64; N];
+    let (chunks, rest) = words.as_chunks::<N>();
+    for chunk in chunks {
+        for (hash, word) in hash.iter_mut().zip(chunk) {
+            *hash = (*hash ^ word).wrapping_mul(ODD).rotate_left(29);
+        }
+    }
+    for (hash, word) in hash.iter_mut().zip(rest) {
+        *hash = (*hash ^ word).wrapping_mul(ODD).rotate_left(29);
+    }
+    hash
 }
 
 impl Merge for Vec<Fingerprint> {
@@ -108,5 +134,7 @@ mod tests {
         assert!(print.rare == 2 && (print.ln_orders() - libm::log(499_500.0)).abs() < 1e-9);
         let all: Vec<f64> = (0..1000).map(f64::from).collect();
         assert_eq!(rare(&all), 500, "no row is common: half of them, at most");
+        let runs: Vec<f64> = (0..1000).map(|i| if i < 300 { 1.0 } else { 0.0 }).collect();
+        assert_eq!(rare(&runs), 1, "a bound from below: one change");
     }
 }

@@ -1,6 +1,6 @@
 use super::{Fold, Merge, Ordered};
 use crate::block::{Block, Scratch};
-use freepath_draws::MissingColumn;
+use freepath_draws::{MissingColumn, simd};
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
@@ -49,11 +49,24 @@ impl Fold for Monotone {
     }
     fn observe(&self, block: &Block, _: &mut Scratch, counts: &mut Steps) -> Result<f64, MissingColumn> {
         let x = block.f64(&self.column)?;
-        let rising = x.windows(2).filter(|pair| pair[0] < pair[1]).count() as u64;
-        let falling = x.windows(2).filter(|pair| pair[0] > pair[1]).count() as u64;
-        counts.merge(&Steps { rising, falling });
-        Ok(if rising == 0 || falling == 0 { ln_orders(x) } else { 0.0 })
+        let steps = steps(x);
+        counts.merge(&steps);
+        Ok(if steps.rising == 0 || steps.falling == 0 { ln_orders(x) } else { 0.0 })
     }
+}
+
+fn steps(x: &[f64]) -> Steps {
+    simd::dispatch(
+        #[inline(always)]
+        || {
+            let (mut rising, mut falling) = (0, 0);
+            for (earlier, later) in x.iter().zip(x.get(1..).unwrap_or_default()) {
+                rising += u64::from(earlier < later);
+                falling += u64::from(earlier > later);
+            }
+            Steps { rising, falling }
+        },
+    )
 }
 
 /// The logarithm of n! / (c_1! c_2! ..) over the lengths of runs of values that do not differ.

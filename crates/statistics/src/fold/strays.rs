@@ -102,18 +102,18 @@ fn is_stray(t: f64, length: f64) -> bool {
 }
 
 fn glance(t: &[f64], length: f64) -> Glance {
-    let (mut escapes, mut at_length, mut strays) = (0u64, 0u64, 0u64);
     simd::dispatch(
         #[inline(always)]
         || {
+            let mut seen = Glance { escapes: 0, at_length: 0, strays: 0 }; // inside the closure: in registers
             for &t in t {
-                escapes += u64::from(t == f64::INFINITY);
-                at_length += u64::from((t - length).abs() <= 0.0); // equal: a difference of doubles is never rounded to 0
-                strays += u64::from(is_stray(t, length));
+                seen.escapes += u64::from(t == f64::INFINITY);
+                seen.at_length += u64::from((t - length).abs() <= 0.0); // equal: a difference of doubles is never rounded to 0
+                seen.strays += u64::from(is_stray(t, length));
             }
+            seen
         },
-    );
-    Glance { escapes, at_length, strays }
+    )
 }
 
 impl Merge for StrayCounts {

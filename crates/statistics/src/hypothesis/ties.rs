@@ -2,7 +2,7 @@ use super::record::Test;
 use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::law::Law;
 use crate::special::poisson_sf;
-use crate::tally::TieTally;
+use crate::tally::{Commonest, Repeats};
 use freepath_results::Reason;
 
 /// The test's record.
@@ -31,14 +31,14 @@ Rejects: as dependent: copied streams, repeated rows, quantised or clamped dista
 /// The share finds repeats however far apart; the first draws find one value that comes back, which the share would miss
 /// unless it happened to hold that value.
 #[must_use]
-pub fn ties(tally: &TieTally, collided: u64, pair: f64) -> Evidence {
+pub fn ties(repeats: &Repeats, collided: u64, pair: f64) -> Evidence {
     let of = |pairs: u64, m: u64, share: f64| {
         let m = m as f64;
         (poisson_sf(share * 0.5 * m * (m - 1.0) * pair, pairs), pairs)
     };
-    let all = of(tally.pairs(), collided, tally.share());
-    let (first, held) = tally.first_pairs();
-    let first = of(first, held, 1.0);
+    let pairs = |among: Option<Commonest>| among.map_or(0, |among| among.pairs);
+    let all = of(pairs(repeats.held), collided, repeats.share);
+    let first = of(pairs(repeats.first), repeats.first.map_or(0, |first| first.of), 1.0);
     let (p, pairs) = if !(all.0 >= first.0) { all } else { first };
     let p = if p > 0.5 { 1.0 } else { 2.0 * p };
     Evidence::new(TEST.name, pairs as f64, None, p, Reason::Dependent).under(Null::Conservative)

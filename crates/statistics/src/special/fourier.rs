@@ -1,10 +1,12 @@
 use core::f64::consts::TAU;
+use freepath_draws::simd;
 use std::sync::OnceLock;
 
 /// Longest transform: 2^this.
 const LONGEST: usize = 20;
 
-/// The discrete Fourier transform of one length, a power of two: plain and scalar, so that it has the same bits on any machine.
+/// The discrete Fourier transform of one length, a power of two: every number by the same products and sums, none of them
+/// fused, so that it has the same bits on any machine.
 ///
 /// ```text
 /// X_j = sum_i x_i e^(-2 pi i j / N)
@@ -50,14 +52,19 @@ impl Fourier {
         let n = self.cosines.len();
         assert!(re.len() == n && im.len() == n, "one number for each place");
         reverse_bits(re, im);
-        let mut half = 1;
-        while half < n {
-            let (cosines, sines) = (&self.cosines[half..2 * half], &self.sines[half..2 * half]);
-            for (re, im) in re.chunks_exact_mut(2 * half).zip(im.chunks_exact_mut(2 * half)) {
-                butterflies(re, im, cosines, sines);
-            }
-            half *= 2;
-        }
+        simd::dispatch(
+            #[inline(always)]
+            || {
+                let mut half = 1;
+                while half < n {
+                    let (cosines, sines) = (&self.cosines[half..2 * half], &self.sines[half..2 * half]);
+                    for (re, im) in re.chunks_exact_mut(2 * half).zip(im.chunks_exact_mut(2 * half)) {
+                        butterflies(re, im, cosines, sines);
+                    }
+                    half *= 2;
+                }
+            },
+        );
     }
 }
 
@@ -74,6 +81,7 @@ fn reverse_bits(re: &mut [f64], im: &mut [f64]) {
 }
 
 /// The sums and differences of one group: its halves are transforms of even and of odd places.
+#[inline(always)]
 fn butterflies(re: &mut [f64], im: &mut [f64], cosines: &[f64], sines: &[f64]) {
     let (re, odd_re) = re.split_at_mut(cosines.len());
     let (im, odd_im) = im.split_at_mut(cosines.len());

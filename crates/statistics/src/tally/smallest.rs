@@ -32,13 +32,15 @@ impl Smallest {
         simd::dispatch(
             #[inline(always)]
             || {
-                for part in values.chunks(PART) {
+                let (parts, rest) = values.as_chunks::<PART>();
+                for part in parts {
                     let threshold = self.threshold;
                     let below = part.iter().fold(false, |any, &value| any | (key(value) < threshold));
                     if below {
                         part.iter().for_each(|&value| self.insert(key(value)));
                     }
                 }
+                rest.iter().for_each(|&value| self.insert(key(value)));
             },
         );
     }

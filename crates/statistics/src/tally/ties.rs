@@ -1,7 +1,10 @@
 use freepath_draws::simd;
 
-/// Draws whose hashes are tested together, and again in quarters where one is small enough.
+/// Draws whose hashes are tested together.
 const PART: usize = 32;
+
+/// Draws tested together where one hash of a part is small enough.
+const FEW: usize = 8;
 
 /// Most values held.
 const HELD: usize = 1 << 16;
@@ -27,10 +30,16 @@ fn hash(bits: u64) -> u32 {
     mixed ^ (mixed >> 15)
 }
 
-/// True if any hash is at most `threshold`: by the least of them, since a vector unit has an instruction for that.
+/// The hashes of a few values.
 #[inline(always)]
-fn below(part: &[f64], threshold: u32) -> bool {
-    part.iter().fold(u32::MAX, |least, t| least.min(hash(t.to_bits()))) <= threshold
+fn hashes<const N: usize>(part: &[f64; N]) -> [u32; N] {
+    part.map(|t| hash(t.to_bits()))
+}
+
+/// The least of a few hashes: a vector unit has an instruction for that.
+#[inline(always)]
+fn least(hashes: &[u32]) -> u32 {
+    hashes.iter().fold(u32::MAX, |least, &hash| if hash < least { hash } else { least })
 }
 
 impl TieTally {
@@ -43,23 +52,33 @@ impl TieTally {
         simd::dispatch(
             #[inline(always)]
             || {
-                for part in t.chunks(PART) {
-                    let threshold = self.threshold();
-                    if below(part, threshold) {
-                        part.chunks(PART / 4).filter(|few| below(few, threshold)).for_each(|few| self.hold(few));
+                let (parts, rest) = t.as_chunks::<PART>();
+                for part in parts {
+                    if least(&hashes(part)) <= self.threshold() {
+                        part.as_chunks::<FEW>().0.iter().for_each(|few| self.look(few));
                     }
                 }
+                let (parts, rest) = rest.as_chunks::<FEW>();
+                parts.iter().for_each(|few| self.look(few));
+                rest.iter().for_each(|&t| self.look(&[t]));
             },
         );
     }
 
+    #[inline(always)]
+    fn look<const N: usize>(&mut self, part: &[f64; N]) {
+        let hashes = hashes(part);
+        if least(&hashes) <= self.threshold() {
+            self.hold(part, &hashes);
+        }
+    }
+
     /// Rare once many draws are in.
     #[cold]
-    fn hold(&mut self, part: &[f64]) {
-        for &t in part {
-            let bits = t.to_bits();
-            if hash(bits) <= self.threshold() && t.is_finite() {
-                self.held.push(bits);
+    fn hold(&mut self, part: &[f64], hashes: &[u32]) {
+        for (&t, &hash) in part.iter().zip(hashes) {
+            if hash <= self.threshold() && t.is_finite() {
+                self.held.push(t.to_bits());
                 self.thin();
             }
         }
@@ -91,30 +110,35 @@ impl TieTally {
         self.held.retain(|&bits| hash(bits) <= threshold);
     }
 
-    /// The share of all values that is held.
-    #[must_use]
-    pub fn share(&self) -> f64 {
+    fn share(&self) -> f64 {
         libm::ldexp(1.0, -(self.halvings as i32))
     }
 
-    /// Pairs of equal values among those held.
+    /// What comes back. Cost: both lists are sorted.
     #[must_use]
-    pub fn pairs(&self) -> u64 {
-        equal_pairs(&self.held)
-    }
-
-    /// The value that is drawn most often among the first draws and those held, if any comes twice.
-    #[must_use]
-    pub fn commonest(&self) -> Option<Commonest> {
+    pub fn repeats(&self) -> Repeats {
         let [first, held] = [&self.first, &self.held].map(|values| commonest(values));
-        let most = if first.as_ref().is_some_and(|first| first.pairs > 0) { first } else { held };
-        most.filter(|most| most.pairs > 0)
+        Repeats { first, held, share: self.share() }
     }
+}
 
-    /// Pairs of equal values among the first draws, and how many of those are finite.
+/// Equal values among the draws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repeats {
+    /// Among the first draws; nothing if there are none.
+    pub first: Option<Commonest>,
+    /// Among the values held, likewise.
+    pub held: Option<Commonest>,
+    /// The share of all values that is held.
+    pub share: f64,
+}
+
+impl Repeats {
+    /// The value that is drawn most often, if any comes twice.
     #[must_use]
-    pub fn first_pairs(&self) -> (u64, u64) {
-        (equal_pairs(&self.first), self.first.len() as u64)
+    pub fn most(&self) -> Option<Commonest> {
+        let most = if self.first.is_some_and(|first| first.pairs > 0) { self.first } else { self.held };
+        most.filter(|most| most.pairs > 0)
     }
 }
 
@@ -135,14 +159,9 @@ fn commonest(values: &[u64]) -> Option<Commonest> {
     let mut sorted = values.to_vec();
     sorted.sort_unstable();
     let most = sorted.chunk_by(u64::eq).max_by_key(|equal| equal.len())?;
+    let pairs = sorted.chunk_by(u64::eq).map(|equal| equal.len() as u64).map(|c| c * (c - 1) / 2).sum();
     let (value, count, of) = (f64::from_bits(most[0]), most.len() as u64, values.len() as u64);
-    Some(Commonest { value, count, of, pairs: equal_pairs(values) })
-}
-
-fn equal_pairs(values: &[u64]) -> u64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable();
-    sorted.chunk_by(u64::eq).map(|equal| equal.len() as u64).map(|c| c * (c - 1) / 2).sum()
+    Some(Commonest { value, count, of, pairs })
 }
 
 #[cfg(test)]
@@ -165,7 +184,7 @@ mod tests {
         whole.held.sort_unstable();
         b.held.sort_unstable();
         assert_eq!(whole, b);
-        assert!(whole.held.len() > HELD / 4 && whole.pairs() == 0);
+        assert!(whole.held.len() > HELD / 4 && whole.repeats().most().is_none());
     }
 
     #[test]
@@ -176,11 +195,11 @@ mod tests {
             t[..8_000].fill(0.25);
             tally.observe(&t, block < 4);
         }
-        assert_eq!(tally.pairs(), 0, "the table has no room for so many");
+        let repeats = tally.repeats();
+        assert_eq!(repeats.held.map(|held| held.pairs), Some(0), "the table has no room for so many");
         let pairs = 32_000 * 31_999 / 2;
-        assert_eq!(tally.first_pairs(), (pairs, 4 * 16_384));
-        let most = Commonest { value: 0.25, count: 32_000, of: 4 * 16_384, pairs };
-        assert_eq!(tally.commonest(), Some(most));
+        let most = Some(Commonest { value: 0.25, count: 32_000, of: 4 * 16_384, pairs });
+        assert_eq!((repeats.first, repeats.most()), (most, most));
     }
 
     #[test]
@@ -188,7 +207,8 @@ mod tests {
         let mut tally = TieTally::default();
         tally.observe(&values(200_000), false);
         tally.observe(&values(200_000), false);
-        let expected = 200_000.0 * tally.share();
-        assert!((tally.pairs() as f64 / expected - 1.0).abs() < 0.05);
+        let Repeats { held, share, .. } = tally.repeats();
+        let pairs = held.expect("many are held").pairs;
+        assert!((pairs as f64 / (200_000.0 * share) - 1.0).abs() < 0.05);
     }
 }

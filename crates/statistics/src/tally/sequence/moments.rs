@@ -13,11 +13,8 @@ pub struct ScoreMoments {
     pub fourths: i128,
 }
 
-/// Sums that run side by side, so that none waits for another.
-const LANES: usize = 16;
-
-/// Rows summed at a time: so few that squares of 12 bits fit 32.
-const PART: usize = 64 * LANES;
+/// Rows summed at a time: so few that fourth powers of 12 bits fit 63.
+const PART: usize = 1 << 14;
 
 impl ScoreMoments {
     /// Of scores, and of their distances from 0.
@@ -93,56 +90,24 @@ struct Sums {
     fourths: i64,
 }
 
-/// Bits of the lower part of a square: either part times a score fits 23 bits.
-const LOW: i32 = 11;
-
-/// Sums of one power over lanes.
-type Lanes = [i32; LANES];
-
 impl Sums {
     fn of(part: &[i16]) -> Self {
-        let mut sums = Self::default();
         freepath_draws::simd::dispatch(
             #[inline(always)]
-            || sums = Self::in_lanes(part),
-        );
-        sums
-    }
-
-    #[inline(always)]
-    fn in_lanes(part: &[i16]) -> Self {
-        let [mut sum, mut distance, mut squares]: [Lanes; 3] = [[0; LANES]; 3];
-        // a cube is too long for 32 bits: the two parts of the square are multiplied apart
-        let [mut high, mut low, mut distance_high, mut distance_low]: [Lanes; 4] = [[0; LANES]; 4];
-        let [mut both_high, mut mixed, mut both_low]: [Lanes; 3] = [[0; LANES]; 3];
-        let rows = part.chunks_exact(LANES);
-        let mut padded = [0i16; LANES];
-        padded[..rows.remainder().len()].copy_from_slice(rows.remainder()); // 0 adds nothing to any sum
-        for row in rows.chain([&padded[..]]) {
-            for i in 0..LANES {
-                let score = i32::from(row[i]);
-                let (away, square) = (score.abs(), score * score);
-                let (above, below) = (square >> LOW, square & ((1 << LOW) - 1));
-                sum[i] += score;
-                distance[i] += away;
-                squares[i] += square;
-                high[i] += score * above;
-                low[i] += score * below;
-                distance_high[i] += away * above;
-                distance_low[i] += away * below;
-                both_high[i] += above * above;
-                mixed[i] += above * below;
-                both_low[i] += below * below;
-            }
-        }
-        let wide = |lanes: &Lanes| lanes.iter().map(|&x| i64::from(x)).sum::<i64>();
-        Self {
-            sum: wide(&sum),
-            distance: wide(&distance),
-            squares: wide(&squares),
-            cubes: (wide(&high) << LOW) + wide(&low),
-            distance_cubes: (wide(&distance_high) << LOW) + wide(&distance_low),
-            fourths: (wide(&both_high) << (2 * LOW)) + (wide(&mixed) << (LOW + 1)) + wide(&both_low),
-        }
+            || {
+                let mut of = Self::default();
+                for &score in part {
+                    let score = i64::from(score);
+                    let (distance, square) = (score.abs(), score * score);
+                    of.sum += score;
+                    of.distance += distance;
+                    of.squares += square;
+                    of.cubes += score * square;
+                    of.distance_cubes += distance * square;
+                    of.fourths += square * square;
+                }
+                of
+            },
+        )
     }
 }
