@@ -87,9 +87,7 @@ fn a_subject_tells_its_facts_its_reasons_and_what_is_shown_only() {
     );
     assert!(nan.contains("<th scope=\"row\">finite</th><td>1</td><td>1 of 1048576 draws is not a number</td>"));
     let short = section(&page, "<details class=\"subject\"", |s| s.contains("with short_majorant</h3>")).unwrap();
-    for words in
-        ["Life table: the law breaks in 8 of 16 rows", "Where along the ray it breaks", "<td>shown"]
-    {
+    for words in ["Life table: the law breaks in 8 of 16 rows", "Where along the ray it breaks", "<td>shown"] {
         assert!(short.contains(words), "{words}");
     }
     let right =

@@ -195,17 +195,17 @@ fn draws(subject: &Subject) -> String {
 
 /// A test that was withheld has none.
 fn statistic(test: &TestResult) -> String {
-    if test.p.is_none() && test.statistic.0.is_nan() { "–".into() } else { short(test.statistic.0) }
+    if test.p.is_none() && test.statistic.0.is_nan() { String::new() } else { short(test.statistic.0) }
 }
 
 fn test(test: &TestResult) -> TestRow {
     let shown = |x: Option<Real>, as_text: fn(f64) -> String| x.map_or_else(String::new, |x| as_text(x.0));
     let chance = |p| shown(p, probability);
     let (class, decision) = match test {
-        TestResult { rejected_alone: true, .. } => ("rejected", "rejected, in one stage alone"),
+        TestResult { rejected_alone: true, .. } => ("rejected", "rejected alone"),
         TestResult { rejected: true, .. } => ("rejected", "rejected"),
         TestResult { reported: true, .. } => ("reported", "shown"),
-        TestResult { p: None, .. } => ("reported", "not judged"),
+        TestResult { p: None, .. } => ("reported", "withheld"),
         _ => ("", ""), // the glossary says that it is not rejected
     };
     let tells = test.p.is_none_or(|p| !(p.0 > SUSPECT)) || test.rejected || test.rejected_alone;
@@ -213,7 +213,7 @@ fn test(test: &TestResult) -> TestRow {
         name: clean(&crate::text::words(&test.name), 60),
         stage: test.stage,
         statistic: statistic(test),
-        dof: test.dof.map_or_else(String::new, |dof| short(dof.0)),
+        dof: shown(test.dof, short),
         p: chance(test.p),
         adjusted: chance(test.p_adjusted),
         class,
