@@ -30,13 +30,20 @@ const LANES: usize = 32;
 
 impl Fingerprint {
     fn of(columns: &[&[f64]], rows: usize) -> Self {
-        let (hash, changes) = simd::dispatch(
-            #[inline(always)]
-            || {
-                let words = words(columns, rows);
-                (absorbed(&absorbed::<LANES>(&words)), words.windows(2).filter(|w| w[0] != w[1]).count())
-            },
-        );
+        let mut lanes = [rows as u64; LANES];
+        let mut changes = 0; // of rows: as many as those of any column
+        for column in columns {
+            let seen = simd::dispatch(
+                #[inline(always)]
+                || {
+                    absorb(column, &mut lanes);
+                    column.windows(2).filter(|pair| canonical(pair[0]) != canonical(pair[1])).count()
+                },
+            );
+            changes = if seen > changes { seen } else { changes };
+        }
+        let mut hash = [0; HASHES];
+        lanes.iter().enumerate().for_each(|(i, &lane)| take(&mut hash[i % HASHES], lane));
         let rare = changes.div_ceil(2); // a row that differs from the commonest makes two changes at most
         let half = rows / 2;
         Self { hash, rows: rows as u64, rare: if rare < half { rare } else { half } as u64 }
@@ -59,32 +66,24 @@ fn canonical(x: f64) -> u64 {
 /// An odd number without a pattern, the golden ratio.
 const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// One word a row.
+/// One-to-one in the hash, so that what differs once stays different.
 #[inline(always)]
-fn words(columns: &[&[f64]], rows: usize) -> Vec<u64> {
-    let mut words = vec![0; rows];
-    for column in columns {
-        for (word, &x) in words.iter_mut().zip(*column) {
-            *word = u64::rotate_left(*word, 29).wrapping_mul(ODD) ^ canonical(x);
-        }
-    }
-    words
+fn take(hash: &mut u64, word: u64) {
+    *hash = (*hash ^ word).wrapping_mul(ODD).rotate_left(29);
 }
 
-/// Each lane takes in every `N`-th word: one-to-one in its state, so that what differs once stays different.
+/// Each lane takes in every 32nd number.
 #[inline(always)]
-fn absorbed<const N: usize>(words: &[u64]) -> [u64; N] {
-    let mut hash = [words.len() as u64; N];
-    let (chunks, rest) = words.as_chunks::<N>();
+fn absorb(column: &[f64], lanes: &mut [u64; LANES]) {
+    let mut hash = *lanes; // in registers
+    let (chunks, rest) = column.as_chunks::<LANES>();
     for chunk in chunks {
-        for (hash, word) in hash.iter_mut().zip(chunk) {
-            *hash = (*hash ^ word).wrapping_mul(ODD).rotate_left(29);
+        for (hash, &x) in hash.iter_mut().zip(chunk) {
+            take(hash, canonical(x));
         }
     }
-    for (hash, word) in hash.iter_mut().zip(rest) {
-        *hash = (*hash ^ word).wrapping_mul(ODD).rotate_left(29);
-    }
-    hash
+    hash.iter_mut().zip(rest).for_each(|(hash, &x)| take(hash, canonical(x)));
+    *lanes = hash;
 }
 
 impl Merge for Vec<Fingerprint> {

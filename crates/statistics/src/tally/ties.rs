@@ -3,9 +3,6 @@ use freepath_draws::simd;
 /// Draws whose hashes are tested together.
 const PART: usize = 32;
 
-/// Draws tested together where one hash of a part is small enough.
-const FEW: usize = 8;
-
 /// Most values held.
 const HELD: usize = 1 << 16;
 
@@ -30,16 +27,14 @@ fn hash(bits: u64) -> u32 {
     mixed ^ (mixed >> 15)
 }
 
-/// The hashes of a few values.
+/// A bit for each value whose hash is at most `threshold`.
 #[inline(always)]
-fn hashes<const N: usize>(part: &[f64; N]) -> [u32; N] {
-    part.map(|t| hash(t.to_bits()))
-}
-
-/// The least of a few hashes: a vector unit has an instruction for that.
-#[inline(always)]
-fn least(hashes: &[u32]) -> u32 {
-    hashes.iter().fold(u32::MAX, |least, &hash| if hash < least { hash } else { least })
+fn below(part: &[f64; PART], threshold: u32) -> u32 {
+    let mut bits = 0;
+    for (i, t) in part.iter().enumerate() {
+        bits |= u32::from(hash(t.to_bits()) <= threshold) << i;
+    }
+    bits
 }
 
 impl TieTally {
@@ -53,34 +48,25 @@ impl TieTally {
             #[inline(always)]
             || {
                 let (parts, rest) = t.as_chunks::<PART>();
-                for part in parts {
-                    if least(&hashes(part)) <= self.threshold() {
-                        part.as_chunks::<FEW>().0.iter().for_each(|few| self.look(few));
+                let mut padded = [f64::INFINITY; PART]; // which is not held
+                padded[..rest.len()].copy_from_slice(rest);
+                for part in parts.iter().chain([&padded]) {
+                    let mut bits = below(part, self.threshold());
+                    while bits != 0 {
+                        self.hold(part[bits.trailing_zeros() as usize]);
+                        bits &= bits - 1;
                     }
                 }
-                let (parts, rest) = rest.as_chunks::<FEW>();
-                parts.iter().for_each(|few| self.look(few));
-                rest.iter().for_each(|&t| self.look(&[t]));
             },
         );
     }
 
-    #[inline(always)]
-    fn look<const N: usize>(&mut self, part: &[f64; N]) {
-        let hashes = hashes(part);
-        if least(&hashes) <= self.threshold() {
-            self.hold(part, &hashes);
-        }
-    }
-
     /// Rare once many draws are in.
     #[cold]
-    fn hold(&mut self, part: &[f64], hashes: &[u32]) {
-        for (&t, &hash) in part.iter().zip(hashes) {
-            if hash <= self.threshold() && t.is_finite() {
-                self.held.push(t.to_bits());
-                self.thin();
-            }
+    fn hold(&mut self, t: f64) {
+        if t.is_finite() && hash(t.to_bits()) <= self.threshold() {
+            self.held.push(t.to_bits());
+            self.thin();
         }
     }
 
