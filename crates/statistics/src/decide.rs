@@ -8,11 +8,10 @@ use crate::judged::Judged;
 use freepath_results::{Reason, Verdict};
 use stage::rejects_at;
 
-mod levels;
 mod road;
 mod stage;
 
-pub use levels::{ALPHA, Levels, SUSPECT};
+pub use crate::levels::{ALPHA, Levels, SUSPECT};
 pub use road::{Rejection, Road, rejections};
 pub use stage::{Stage, StageTest, adjust, adjust_among, adjust_some};
 

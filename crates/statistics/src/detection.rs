@@ -1,8 +1,8 @@
 //! The errors that a run would have seen, computed after its decision: at the level that Holm left to one test, by both stages.
 
-use crate::decide::Levels;
 use crate::evidence::POWER;
 use crate::larger::larger;
+use crate::levels::Levels;
 use crate::special::{chi_square_noncentrality, normal_quantile, normal_sf};
 use root::root;
 use share::Region;

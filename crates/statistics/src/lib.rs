@@ -13,6 +13,7 @@ pub mod hypothesis;
 mod judged;
 mod larger;
 mod law;
+mod levels;
 pub mod sequence;
 pub mod special;
 pub mod tally;
