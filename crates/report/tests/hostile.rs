@@ -123,7 +123,7 @@ fn flooded(value: f64, length: usize) -> Results {
         for m in r.mean.iter_mut().chain(r.channels.iter_mut().map(|c| &mut c.mean)) {
             (m.expected, m.bias, m.low, m.high, m.bound, m.estimate, m.variance) = (x, x, x, x, x, x, x);
         }
-        r.efficiency.iter_mut().for_each(|e| (e.relative_variance, e.low, e.high) = (x, x, x));
+        r.efficiency.iter_mut().for_each(|e| (e.relative_variance, e.low, e.high) = (x, Some(x), Some(x)));
         r.order.iter_mut().for_each(|o| (o.predicted, o.bias, o.steps) = (x, x, length as u64));
         r.lookups = x;
     }

@@ -62,10 +62,12 @@ pub struct RunningSeries {
 pub struct Efficiency {
     /// Relative variance of one draw, Var / T^2; mean squared error for a biased method.
     pub relative_variance: Real,
-    /// Limits of the relative variance at 95 %.
-    pub low: Real,
+    /// Limits of the relative variance at 95 %, of what is ranked: of others they would not hold.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub low: Option<Real>,
     /// As `low`.
-    pub high: Real,
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub high: Option<Real>,
     /// Zero variance: nothing to compare.
     pub exact: bool,
     /// May stand in a ranking.

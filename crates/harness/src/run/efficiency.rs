@@ -5,18 +5,18 @@ use crate::ranking::{Comparison, LnWork, RANKING_LEVEL, Rankable, compare, ranka
 use freepath_results::{Efficiency, Ranked, RankedPair, Ranking, Real, Reason, Refused, SubjectResult, Verdict};
 use freepath_statistics::claim::Contender;
 
-/// Relative variance with a 95 % interval, and whether it is ranked; none for what has no mean.
+/// Relative variance, with a 95 % interval if it is ranked; none for what has no mean.
 pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> {
     let contender = contender(trial)?;
     let Contender { sums, design_bias: bias, .. } = &contender;
     let t = contender.truth.expected;
     let variance = (sums.variance() + bias * bias) / (t * t);
     let rankable = assess(trial, &contender, verdict);
-    let error = match &rankable {
-        Rankable::Ranked(work) => work.error,
-        Rankable::Exact | Rankable::Refused(_) => ((sums.kurtosis() - 1.0) / sums.n as f64).sqrt(),
+    let factor = match &rankable {
+        Rankable::Ranked(work) => Some(libm::exp(1.96 * work.error)),
+        Rankable::Exact | Rankable::Refused(_) => None,
     };
-    let (exact, factor) = (rankable == Rankable::Exact, libm::exp(1.96 * error));
+    let exact = rankable == Rankable::Exact;
     let refusal = match &rankable {
         Rankable::Ranked(_) => String::new(),
         Rankable::Exact => "zero variance: exact".into(),
@@ -24,8 +24,8 @@ pub(super) fn efficiency(trial: &Trial, verdict: Verdict) -> Option<Efficiency> 
     };
     Some(Efficiency {
         relative_variance: Real(variance),
-        low: Real(variance / factor),
-        high: Real(variance * factor),
+        low: factor.map(|factor| Real(variance / factor)),
+        high: factor.map(|factor| Real(variance * factor)),
         exact,
         ranked: refusal.is_empty(),
         refusal,

@@ -16,7 +16,7 @@ pub(crate) struct Cost<'a> {
 }
 
 impl Cost<'_> {
-    /// 1 / (V T) with its limits, T in look-ups.
+    /// 1 / (V T) with its limits, T in look-ups; nothing where no limits hold.
     pub(crate) fn per_lookup(&self) -> Option<(f64, f64, f64)> {
         self.over(self.lookups)
     }
@@ -26,10 +26,15 @@ impl Cost<'_> {
         self.over(self.seconds?)
     }
 
+    /// True if it has a place in a plane of positive numbers.
+    fn is_placed(&self) -> bool {
+        [self.lookups, self.efficiency.relative_variance.0].iter().all(|x| x.is_finite() && *x > 0.0)
+    }
+
     fn over(&self, cost: f64) -> Option<(f64, f64, f64)> {
         let of = |variance: f64| 1.0 / (variance * cost);
         let e = self.efficiency;
-        let all = (of(e.high.0), of(e.relative_variance.0), of(e.low.0));
+        let all = (of(e.high?.0), of(e.relative_variance.0), of(e.low?.0));
         let usable = |x: f64| x.is_finite() && x > 0.0;
         (usable(all.0) && usable(all.1) && usable(all.2)).then_some(all)
     }
@@ -47,7 +52,7 @@ pub(crate) fn figure(costs: &[Cost], title: &str) -> Figure {
 const MOST: usize = 30;
 
 fn picture(costs: &[Cost], title: &str) -> Picture {
-    let shown: Vec<&Cost> = costs.iter().filter(|c| c.per_lookup().is_some()).take(MOST).collect();
+    let shown: Vec<&Cost> = costs.iter().filter(|c| c.is_placed()).take(MOST).collect();
     let mut picture = Picture::new(WIDTH, 0.0, format!("{title}: relative variance against look-ups"));
     let keys: Vec<Key> = shown.iter().enumerate().map(|(i, c)| key(i, &clean(&c.name, 46))).collect();
     let rows = picture.legend_height(&keys, 12.0);

@@ -38,12 +38,14 @@ fn efficiency(plan: &Plan) -> Efficiency {
         v if v > 600.0 => "the fourth moment is not trusted",
         _ => "",
     };
+    let ranked = refusal.is_empty() && !exact;
+    let limit = |factor: f64| ranked.then(|| (factor * plan.variance).into());
     Efficiency {
         relative_variance: plan.variance.into(),
-        low: (0.96 * plan.variance).into(),
-        high: (1.05 * plan.variance).into(),
+        low: limit(0.96),
+        high: limit(1.05),
         exact,
-        ranked: refusal.is_empty() && !exact,
+        ranked,
         refusal: refusal.into(),
     }
 }
