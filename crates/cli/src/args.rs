@@ -116,6 +116,9 @@ pub(crate) struct Sampling {
     pub(crate) timeout: Option<f64>,
 }
 
+/// The folder that results are written to if none is named.
+pub(crate) const USUAL_FOLDER: &str = "reports";
+
 /// The destination of a run's results, and its speed.
 #[derive(Args, Debug)]
 pub(crate) struct Output {
@@ -123,7 +126,7 @@ pub(crate) struct Output {
     #[arg(long, value_name = "N", value_parser = number::jobs)]
     pub(crate) jobs: Option<usize>,
     /// The folder that results are written to.
-    #[arg(long, value_name = "DIR", default_value = "reports")]
+    #[arg(long, value_name = "DIR", default_value = USUAL_FOLDER)]
     pub(crate) out: PathBuf,
     /// Print the JSON of the results instead of a line per subject.
     #[arg(long)]

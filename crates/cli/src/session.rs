@@ -78,6 +78,7 @@ pub(crate) fn prepared(
 pub(crate) fn repro(verb: &str, paths: &[PathBuf], args: &Sampling) -> String {
     let mut words = vec![quoted(command_name::get()), verb.to_string()];
     words.extend(paths.iter().map(|path| quoted(&path.display().to_string())));
+    words.extend(args.filter.iter().map(|text| format!("--filter {}", quoted(text))));
     words.push(format!("--seed {}", args.seed));
     words.extend(args.draws.map(|draws| format!("--draws {draws}")));
     let flags = [

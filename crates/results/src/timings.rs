@@ -12,6 +12,9 @@ pub struct Timings {
     pub jobs: usize,
     /// Instruction set in use.
     pub isa: String,
+    /// The folder that was asked for, as a shell has it, where it is not the usual one: nothing in results.json depends on it.
+    #[serde(skip_serializing_if = "String::is_empty", default)]
+    pub out: String,
     /// One for each subject, in the order of the results.
     pub subjects: Vec<SubjectTiming>,
 }

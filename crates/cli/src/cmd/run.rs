@@ -1,16 +1,17 @@
 //! `freepath run`: cases in, a line for each subject and a report out.
 
-use crate::args::{Output, Run, When};
+use crate::args::{Output, Run, USUAL_FOLDER, When};
 use crate::cmd::report;
 use crate::command_error::CommandError;
 use crate::session::{Session, prepared, repro};
 use crate::{files, screen, table};
 use freepath_draws::simd;
 use freepath_harness::case::Prepared;
-use freepath_harness::run::{self, Outcome, exit_code};
+use freepath_harness::run::{self, Outcome, exit_code, quoted};
 use freepath_report::SideFiles;
 use freepath_results::{Real, Timings};
 use std::io::{IsTerminal, stdout};
+use std::path::Path;
 use std::time::Instant;
 
 /// Nothing is drawn before every case is known to be usable, and nothing is written before every draw is done.
@@ -57,6 +58,7 @@ fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result
         seconds: Real(start.elapsed().as_secs_f64()),
         jobs: args.jobs.unwrap_or_else(rayon::current_num_threads),
         isa: simd::isa().name().into(),
+        out: unusual(&args.out),
         subjects: outcome.timings.clone(),
     };
     let clock = serde_json::to_string_pretty(&timings).map_err(CommandError::running)? + "\n";
@@ -65,4 +67,9 @@ fn write(args: &Output, outcome: &Outcome, text: &str, start: Instant) -> Result
     let results = serde_json::from_str(text).map_err(CommandError::running)?;
     let timings = Some(serde_json::from_str(&clock).map_err(CommandError::running)?);
     report::page(&results, &run, &SideFiles { timings, ..report::side_files(&args.out) }, &args.out)
+}
+
+/// The folder as a shell has it; nothing if it is the usual one.
+fn unusual(out: &Path) -> String {
+    if out == Path::new(USUAL_FOLDER) { String::new() } else { quoted(&out.display().to_string()) }
 }

@@ -52,6 +52,21 @@ fn the_repro_of_a_subject_gives_the_subject_again() {
 }
 
 #[test]
+fn the_command_of_a_run_keeps_what_was_left_out_and_its_page_the_folder() {
+    let folder = with_good("again");
+    let (_, out, _) =
+        run(&folder, &["run", "--json", "--draws", "2e4", "--filter", "*delta*", "--out", "my page"]);
+    let results: Results = serde_json::from_str(&out).unwrap();
+    assert_eq!(results.repro, "freepath run cases --filter '*delta*' --seed 1 --draws 20000");
+    assert!(results.results[0].repro.ends_with(" --seed 1 --draws 20000"), "{}", results.results[0].repro);
+    let page = fs::read_to_string(folder.join("my page/index.html")).unwrap();
+    assert!(page.contains("--draws 20000 --out &#39;my page&#39;</code>"), "the command at its top");
+    let (_, _, err) = run(&folder, &["report", "my page/results.json", "--out", "elsewhere"]);
+    let again = fs::read_to_string(folder.join("elsewhere/index.html")).unwrap();
+    assert!(err.is_empty() && again.contains("--out &#39;my page&#39;</code>"), "{err}");
+}
+
+#[test]
 fn results_have_the_same_bytes_for_any_number_of_threads() {
     let folder = with_good("jobs");
     let of = |jobs| run(&folder, &["run", "--json", "--draws", "200000", "--jobs", jobs]).1;

@@ -32,11 +32,18 @@ impl Summary {
             lead: lead(site, planted(false), planted(true)),
             counts: counts(site, surprises),
             facts: facts(site, run),
-            repro: clean(&site.results.repro, 1000),
+            repro: repro(site),
             left_out: left_out(site),
             unread: site.side_files.left_out.iter().take(8).map(|why| clean(why, 300)).collect(),
         }
     }
+}
+
+/// The command, with the folder that it wrote to.
+fn repro(site: &Site) -> String {
+    let command = &site.results.repro;
+    let out = site.timings.map(|timings| timings.out.as_str()).filter(|out| !out.is_empty());
+    clean(&out.map_or_else(|| command.clone(), |out| format!("{command} --out {out}")), 1000)
 }
 
 fn headline(all: usize, surprises: usize) -> String {

@@ -32,6 +32,7 @@ pub(crate) fn run() -> (Results, Timings) {
         seconds: 41.7.into(),
         jobs: 8,
         isa: "AVX2".into(),
+        out: String::new(),
         subjects: subjects.collect(),
     };
     let results = Results {
