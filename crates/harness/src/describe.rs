@@ -14,6 +14,7 @@ pub const CHECKS: &[Check] = &[
     check::RANGE,
     check::NOISE_FREE,
     check::EQUAL_BLOCKS,
+    check::REPEATS,
     check::SORTED,
     check::VACUUM,
     check::UNIT_WEIGHT,

@@ -79,7 +79,7 @@ Do:       the answer may be right all the same; withdraw the claim `lookups` if 
         Reason::Dependent,
         "\
 Given by: ties, the lags, the tables of pairs and triples, order, rare_lags, period, batches, along, along_escapes, and the
-          checks equal_blocks and sorted.
+          checks equal_blocks, repeats and sorted.
 Causes:   one seed for several workers, a random number that is used twice, rows in order of completion or of size,
           quantised distances, a buffer that is not filled anew, a warm-up, a drift.
 Do:       means may be right, error bars are not. Declare `resolution_bits` if the draws are in single precision.",

@@ -10,6 +10,7 @@ mod extremes;
 mod flanks;
 mod lag;
 mod nulls;
+mod repeat;
 mod sequence;
 mod smallest;
 mod sums;
@@ -27,6 +28,8 @@ pub use flanks::{FLANKS, Flank, FlankTally, Flanks, Side};
 pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores, Spread};
 pub use nulls::NullTally;
+pub(crate) use repeat::mixed;
+pub use repeat::{Repeat, repeat};
 pub use sequence::{
     BlockRows, Circular, Correlations, DyadicBatches, DyadicSums, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
     MOST_ROWS, Prefix, RankGroups, ScoreMoments, Scored, Sequence, SequencePart,

@@ -10,6 +10,7 @@ pub(crate) const TESTS: &[Test] = &[
     ("a_program_is_told_to_write_infinity", a_program_is_told_to_write_infinity),
     ("a_value_that_comes_back_is_named", a_value_that_comes_back_is_named),
     ("equal_blocks_of_a_program_are_dependent", equal_blocks_of_a_program_are_dependent),
+    ("rows_of_a_program_that_come_again_are_dependent", rows_of_a_program_that_come_again_are_dependent),
 ];
 
 /// A right program that reads this file: the seed chooses where it begins.
@@ -70,4 +71,18 @@ fn equal_blocks_of_a_program_are_dependent() {
     let mine = first(&folder);
     assert_eq!(mine.reasons, [Reason::Dependent], "{:?}", mine.notes);
     assert_eq!(mine.notes[0], "3 of 4 blocks of 16384 rows repeat another, row by row");
+}
+
+fn rows_of_a_program_that_come_again_are_dependent() {
+    let folder = ready("programs_repeats", &[("mine", &reading("again.f64"))], "");
+    let right = std::fs::read(folder.join("cases/right.f64")).unwrap();
+    let first_rows: Vec<f64> = right.as_chunks().0[..40].iter().map(|row| f64::from_le_bytes(*row)).collect();
+    changed(&folder, "again.f64", |i, t| first_rows.get(i % 8192).copied().unwrap_or(t));
+    let mine = first(&folder);
+    assert_eq!(mine.reasons, [Reason::Dependent], "{:?}", mine.notes);
+    assert!(
+        mine.notes[0].starts_with("40 rows from row ") && mine.notes[0].ends_with(" on once more"),
+        "{:?}",
+        mine.notes
+    );
 }

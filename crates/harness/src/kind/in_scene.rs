@@ -5,7 +5,8 @@ use crate::samples::SampleSource;
 use freepath_draws::{Draws, Row};
 use freepath_statistics::Fact;
 use freepath_statistics::claim::{Claims, DrawingOrder, Withdrawal};
-use freepath_statistics::fold::{Copies, Monotone};
+use freepath_statistics::fold::{Copies, FirstRows, Monotone};
+use freepath_statistics::tally::MOST_ROWS;
 use std::borrow::Cow;
 
 /// The source of a kind's draws.
@@ -51,8 +52,9 @@ fn drawing_order(row: &Row, claims: &mut Claims) {
         row.columns().iter().map(|column| column.name().to_string().into()).collect();
     let Some(column) = columns.first().cloned() else { return };
     let steps = claims.folds.add(Monotone { column });
+    let rows = claims.folds.add(FirstRows { columns: columns.clone(), rows: MOST_ROWS as usize });
     let copies = claims.folds.add(Copies { columns });
-    claims.push(DrawingOrder { copies, steps });
+    claims.push(DrawingOrder { copies, rows, steps });
 }
 
 /// An experiment of one kind.

@@ -1,25 +1,32 @@
 use super::{Claim, Withdrawal};
 use crate::check;
 use crate::evidence::Fact;
-use crate::fold::{Copies, Fingerprint, FoldId, Monotone, Tallies};
+use crate::fold::{Copies, Fingerprint, FirstRows, FoldId, Monotone, Tallies};
 use crate::judged::Judged;
+use crate::tally::{Repeat, repeat};
 use freepath_results::{ClaimResult, Reason};
 
-/// Rows that were made elsewhere stand in the order in which they were drawn, each drawn afresh: no block of them comes twice, and
-/// they are not sorted.
+/// Rows that were made elsewhere stand in the order in which they were drawn, each drawn afresh: none of them come again, and they are
+/// not sorted.
 pub struct DrawingOrder {
     /// Fingerprints of blocks.
     pub copies: FoldId<Copies>,
+    /// The first rows.
+    pub rows: FoldId<FirstRows>,
     /// Neighbours that rise and fall.
     pub steps: FoldId<Monotone>,
 }
 
-/// The logarithm of the probability below which chance is no cause: 1e-12.
-const CHANCE: f64 = -27.631;
+/// The probability below which chance is no cause.
+const CHANCE: f64 = 1e-12;
+
+/// Its logarithm.
+const LN_CHANCE: f64 = -27.631;
 
 impl DrawingOrder {
     fn fact(&self, tallies: &Tallies) -> Option<Fact> {
-        copied(tallies.counts(self.copies)).or_else(|| self.sorted(tallies))
+        let rows = &tallies.sums(self.rows).words;
+        copied(tallies.counts(self.copies)).or_else(|| repeated(rows)).or_else(|| self.sorted(tallies))
     }
 
     fn sorted(&self, tallies: &Tallies) -> Option<Fact> {
@@ -32,7 +39,7 @@ impl DrawingOrder {
         let words =
             format!("the rows are sorted, {direction}: they are needed in the order in which they were drawn");
         let chance = core::f64::consts::LN_2 - orders;
-        (chance < CHANCE).then(|| Fact::new(check::SORTED.name, Reason::Dependent, words))
+        (chance < LN_CHANCE).then(|| Fact::new(check::SORTED.name, Reason::Dependent, words))
     }
 }
 
@@ -41,12 +48,19 @@ fn copied(blocks: &[Fingerprint]) -> Option<Fact> {
     let mut sorted = blocks.to_vec();
     sorted.sort_unstable();
     let ln_pairs = libm::log(0.5 * blocks.len() as f64 * blocks.len() as f64);
-    let copies = |equal: &[Fingerprint]| equal.len() > 1 && ln_pairs - equal[0].ln_orders() < CHANCE;
+    let copies = |equal: &[Fingerprint]| equal.len() > 1 && ln_pairs - equal[0].ln_orders() < LN_CHANCE;
     let extra: usize =
         sorted.chunk_by(|a, b| a == b).filter(|equal| copies(equal)).map(|equal| equal.len() - 1).sum();
     let (all, rows) = (blocks.len(), sorted.first()?.rows);
     let words = format!("{extra} of {all} blocks of {rows} rows repeat another, row by row");
     (extra > 0).then(|| Fact::new(check::EQUAL_BLOCKS.name, Reason::Dependent, words))
+}
+
+/// Rows that come again, unless chance may have made them so.
+fn repeated(words: &[u64]) -> Option<Fact> {
+    let Repeat { first, again, rows } = repeat(words, CHANCE)?;
+    let words = format!("{rows} rows from row {} on are those from row {} on once more", again + 1, first + 1);
+    Some(Fact::new(check::REPEATS.name, Reason::Dependent, words))
 }
 
 impl Claim for DrawingOrder {

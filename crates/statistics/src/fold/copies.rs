@@ -59,7 +59,7 @@ impl Fingerprint {
 
 /// Bits in which 0 has no sign, and every NaN is the same.
 #[inline(always)]
-fn canonical(x: f64) -> u64 {
+pub(super) fn canonical(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { (x + 0.0).to_bits() }
 }
 
