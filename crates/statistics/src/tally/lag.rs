@@ -18,6 +18,9 @@ pub struct LagTally {
     pub products: [i128; LAGS],
     /// For each lag, how many pairs.
     pub pairs: [u64; LAGS],
+    /// For each lag the sum of the scores, less the mean, of the rows at the ends of blocks, which are in one pair and not in two;
+    /// twice that of a row which is in none.
+    pub ends: [i128; LAGS],
     /// Row `a`, column `b`: draws of group a followed by one of group b, within blocks.
     pub neighbours: Box<[[u64; RANK_GROUPS]; RANK_GROUPS]>,
     /// The scores of a block.
@@ -37,6 +40,8 @@ const TURNS: usize = 4;
 /// Moments of scores as drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
+    /// In units, from the mean of the law.
+    pub mean: f64,
     /// In squared units.
     pub variance: f64,
     /// NaN if nothing varies.
@@ -101,20 +106,20 @@ impl Scores {
         self.skewness
     }
 
-    /// The mean score of the draws in `tally`.
+    /// The sum of the scores of the draws in `tally`; 0 is that of a draw which is nowhere.
     #[must_use]
-    pub fn mean_of(&self, tally: &CellTally) -> f64 {
+    pub fn sum_of(&self, tally: &CellTally) -> i128 {
         let scored = |(&count, &score): (&u64, &i16)| i128::from(count) * i128::from(score);
         let inside: i128 = tally.cells.iter().zip(&self.table[2..]).map(scored).sum();
-        let sum = inside + i128::from(tally.escapes) * i128::from(self.of(ESCAPE));
-        sum as f64 / tally.draws() as f64
+        inside + i128::from(tally.escapes) * i128::from(self.of(ESCAPE))
     }
 
     /// The moments of the scores of the draws in `tally`.
     #[must_use]
     pub fn spread_of(&self, tally: &CellTally) -> Spread {
-        let (n, mean) = (tally.draws() as f64, self.mean_of(tally));
-        let scored = [&tally.escapes].into_iter().chain(&tally.cells).zip(&self.table[1..]);
+        let n = tally.draws() as f64;
+        let (mean, nowhere) = (self.sum_of(tally) as f64 / n, tally.non_finite + tally.out_of_support);
+        let scored = [&nowhere, &tally.escapes].into_iter().chain(&tally.cells).zip(&self.table);
         let (mut second, mut third, mut fourth) = (0.0, 0.0, 0.0);
         for (&count, &score) in scored.filter(|(count, _)| **count > 0) {
             let off = f64::from(score) - mean;
@@ -123,7 +128,7 @@ impl Scores {
             fourth += count as f64 / n * (off * off) * (off * off);
         }
         let skewness = third / (second * second.sqrt());
-        Spread { variance: second, skewness, kurtosis: fourth / (second * second) }
+        Spread { mean, variance: second, skewness, kurtosis: fourth / (second * second) }
     }
 
     #[inline(always)]
@@ -157,20 +162,24 @@ impl Scores {
 impl Default for LagTally {
     fn default() -> Self {
         let neighbours = Box::new([[0; RANK_GROUPS]; RANK_GROUPS]);
-        Self { products: [0; LAGS], pairs: [0; LAGS], neighbours, buffer: Vec::new(), groups: Vec::new() }
+        let (products, pairs, ends) = ([0; LAGS], [0; LAGS], [0; LAGS]);
+        Self { products, pairs, ends, neighbours, buffer: Vec::new(), groups: Vec::new() }
     }
 }
 
 impl LagTally {
     /// Adds the pairs of one block, given the fine cell of each draw.
     pub fn observe(&mut self, scores: &Scores, index: &[u32]) {
-        let Self { products, pairs, neighbours, buffer, groups } = self;
+        let Self { products, pairs, ends, neighbours, buffer, groups } = self;
         buffer.clear();
         buffer.extend(index.iter().map(|&cell| scores.of(cell)));
-        for (i, (products, pairs)) in products.iter_mut().zip(pairs).enumerate() {
+        for (i, ((products, pairs), ends)) in products.iter_mut().zip(pairs).zip(ends).enumerate() {
             let later = buffer.get(i + 1..).unwrap_or_default();
             *products += i128::from(dot(buffer, later));
             *pairs += later.len() as u64;
+            let first = buffer.len() - later.len();
+            let at_ends = buffer[..first].iter().chain(&buffer[buffer.len() - first..]);
+            *ends += at_ends.map(|&score| i128::from(score)).sum::<i128>();
         }
         count(scores, buffer, groups, neighbours);
     }
@@ -185,6 +194,7 @@ impl LagTally {
         for i in 0..LAGS {
             self.products[i] += other.products[i];
             self.pairs[i] += other.pairs[i];
+            self.ends[i] += other.ends[i];
         }
         let theirs = other.neighbours.as_flattened();
         self.neighbours.as_flattened_mut().iter_mut().zip(theirs).for_each(|(a, b)| *a += b);
