@@ -1,41 +1,20 @@
 //! Optical depths by quadrature: of a user's medium that provides no tau, and of a formula.
 
-use crate::zoo::{BASE, Bump, LENGTH, PEAK, bumps, close};
+use crate::zoo::{BASE, Bump, Hidden, LENGTH, PEAK, bumps, close};
 use freepath_estimators::medium::{Gaussian, numeric};
-use freepath_estimators::{Extinction, Majorants, Medium};
-
-/// A bump as a user writes it down: mu and no more.
-struct Plain(Gaussian);
-
-impl Extinction for Plain {
-    fn length(&self) -> f64 {
-        LENGTH
-    }
-    fn mu(&self, t: f64) -> f64 {
-        self.0.mu(t)
-    }
-    fn majorants(&self) -> &Majorants {
-        self.0.majorants()
-    }
-}
-
-impl Medium for Plain {
-    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
-        self.0.extrema(a, b)
-    }
-}
+use freepath_estimators::{Extinction, Medium};
 
 #[test]
 fn the_provided_depth_of_a_narrow_bump_is_right() {
     for bump in bumps() {
         let due = BASE * LENGTH + PEAK * bump.area(1, 0.0, LENGTH);
-        let plain = Plain(bump.medium());
+        let plain = Hidden::<false>(bump.medium());
         close(plain.tau(LENGTH), due, 1e-12, &bump);
         assert!(plain.tau_error() < 1e-11, "{bump:?}: {}", plain.tau_error());
         let half = BASE * bump.center + PEAK * bump.area(1, 0.0, bump.center);
         close(plain.tau(bump.center), half, 1e-12, &bump);
     }
-    let reported = Plain(Gaussian::new(20.0, 1.31416, 0.01, LENGTH, 0.5).expect("a medium"));
+    let reported = Hidden::<false>(Gaussian::new(20.0, 1.31416, 0.01, LENGTH, 0.5).expect("a medium"));
     close(reported.tau(LENGTH), 1.501_325_654_926_2, 1e-12, &"the issue's");
 }
 

@@ -1,9 +1,9 @@
 //! Moments of ratio tracking and of residual ratio tracking against closed forms.
 
-use crate::zoo::{BASE, Bump, LENGTH, PEAK, bumps, close, estimator};
+use crate::zoo::{BASE, Bump, Hidden, LENGTH, PEAK, bumps, close, estimator};
+use freepath_estimators::Extinction;
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::medium::BoxSpike;
-use freepath_estimators::{Extinction, Majorants, Medium};
 
 /// E[w^k] of a walk of `rate` whose factor is a (1 - g), times the k-th power of the `start`.
 fn moment(bump: Bump, k: u32, rate: f64, start: f64) -> f64 {
@@ -48,36 +48,9 @@ fn the_weights_in_a_thin_box_have_the_moments_of_the_closed_form() {
     }
 }
 
-/// A medium that knows its tau and does not tell that it is narrow.
-struct Silent(freepath_estimators::medium::Gaussian);
-
-impl Extinction for Silent {
-    fn length(&self) -> f64 {
-        LENGTH
-    }
-    fn mu(&self, t: f64) -> f64 {
-        self.0.mu(t)
-    }
-    fn majorants(&self) -> &Majorants {
-        self.0.majorants()
-    }
-}
-
-impl Medium for Silent {
-    fn tau(&self, t: f64) -> f64 {
-        self.0.tau(t)
-    }
-    fn tau_error(&self) -> f64 {
-        0.0
-    }
-    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
-        self.0.extrema(a, b)
-    }
-}
-
 #[test]
 fn what_the_moments_miss_is_told_by_tau() {
-    let silent = Silent(Bump { center: 1.31416, width: 1e-6 }.medium());
+    let silent = Hidden::<true>(Bump { center: 1.31416, width: 1e-6 }.medium());
     for json in [
         r#"{"ratio_tracking": {}}"#,
         r#"{"residual_ratio_tracking": {"control": "minimum"}}"#,

@@ -2,6 +2,7 @@
 
 use freepath_estimators::medium::Gaussian;
 use freepath_estimators::transmittance::AnyTransmittance;
+use freepath_estimators::{Extinction, Majorants, Medium};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 pub(crate) const LENGTH: f64 = 2.0;
@@ -35,6 +36,39 @@ impl Bump {
         let root = f64::from(power).sqrt();
         let side = |t: f64| libm::erf(root * (t - self.center) / (self.width * SQRT_2));
         self.width / root * FRAC_PI_2.sqrt() * (side(b) - side(a))
+    }
+}
+
+/// A bump that does not tell where it is narrow: its tau is exact if `TAU`, and otherwise the one that is provided, from mu.
+pub(crate) struct Hidden<const TAU: bool>(pub(crate) Gaussian);
+
+impl<const TAU: bool> Extinction for Hidden<TAU> {
+    fn length(&self) -> f64 {
+        LENGTH
+    }
+    fn mu(&self, t: f64) -> f64 {
+        self.0.mu(t)
+    }
+    fn majorants(&self) -> &Majorants {
+        self.0.majorants()
+    }
+}
+
+impl Medium for Hidden<false> {
+    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
+        self.0.extrema(a, b)
+    }
+}
+
+impl Medium for Hidden<true> {
+    fn tau(&self, t: f64) -> f64 {
+        self.0.tau(t)
+    }
+    fn tau_error(&self) -> f64 {
+        0.0
+    }
+    fn extrema(&self, a: f64, b: f64) -> (f64, f64) {
+        self.0.extrema(a, b)
     }
 }
 
