@@ -9,9 +9,7 @@ use crate::shown::at_most;
 use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{FactResult, Real, Reason, SubjectResult, TestResult};
-
-/// The p-value above which the note of a test tells of chance alone, and is left to results.json.
-const SUSPECT: f64 = 1e-3;
+use freepath_statistics::decide::SUSPECT;
 
 /// Most claims, notes and tests that are shown of one subject.
 const MOST: usize = 60;
@@ -208,6 +206,7 @@ fn test(test: &TestResult) -> TestRow {
         TestResult { p: None, .. } => ("reported", "withheld"),
         _ => ("", ""), // the glossary says that it is not rejected
     };
+    // the note of a p-value that gives no cause for stage 2 tells of chance alone, and is left to results.json
     let tells = test.p.is_none_or(|p| !(p.0 > SUSPECT)) || test.rejected || test.rejected_alone;
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
