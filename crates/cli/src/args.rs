@@ -7,11 +7,13 @@ use std::path::PathBuf;
 mod agree;
 mod check;
 mod microscope;
+mod samples;
 mod soak;
 
 pub(crate) use agree::Agree;
 pub(crate) use check::Check;
 pub(crate) use microscope::Microscope;
+pub(crate) use samples::Samples;
 pub(crate) use soak::Soak;
 
 /// Statistical verification of Monte Carlo samplers and estimators.

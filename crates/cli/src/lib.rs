@@ -10,6 +10,7 @@ mod filter;
 mod number;
 mod progress;
 mod reference;
+mod repeat;
 mod screen;
 mod session;
 mod signal;

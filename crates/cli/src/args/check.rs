@@ -1,11 +1,8 @@
-use super::{Output, named};
-use crate::number;
+use super::{Output, Samples, named};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use freepath_formats::Format;
 use freepath_harness::case::KINDS;
 use freepath_harness::experiment::Declared;
-use freepath_harness::samples::Escape;
 use freepath_statistics::claim::Withdrawal;
 use std::path::PathBuf;
 
@@ -21,24 +18,12 @@ pub(crate) struct Check {
     /// The kind of the samples.
     #[arg(long = "as", value_name = "KIND", value_parser = PossibleValuesParser::new(KINDS.iter().map(|kind| kind.name)))]
     pub(crate) kind: String,
-    /// The column of the draws, by name or by number from 0 [default: the only one].
-    #[arg(long, value_name = "NAME")]
-    pub(crate) column: Option<String>,
+    /// How they are read and judged.
+    #[command(flatten)]
+    pub(crate) reading: Samples,
     /// The column of the statistical weights of free paths.
     #[arg(long, value_name = "NAME")]
     pub(crate) weight: Option<String>,
-    /// The free paths that are escapes: infinity; at_length, the length of the ray or beyond; nan; or a value, such as value:-1.
-    #[arg(long, value_name = "AT", default_value = "infinity")]
-    pub(crate) escape: Escape,
-    /// npy, csv, txt or f64 [default: as the ending of the name tells; f64 on standard input].
-    #[arg(long, value_name = "FORMAT", value_parser = named::<Format>)]
-    pub(crate) format: Option<Format>,
-    /// Judge so many draws, from the first on [default: all]; needed on standard input.
-    #[arg(long, value_name = "N", value_parser = number::draws)]
-    pub(crate) draws: Option<u64>,
-    /// Samples may be off by so much in every claim [default: the case's, else 6e-8 if they are float32, else 0].
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub(crate) tolerance: Option<f64>,
     /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
     #[arg(long, value_name = "N")]
     pub(crate) resolution_bits: Option<u32>,

@@ -4,13 +4,12 @@ use crate::args::{Agree, When};
 use crate::cmd::run::judge;
 use crate::command_error::CommandError;
 use crate::command_name;
+use crate::repeat::flag;
 use freepath_draws::simd;
 use freepath_harness::agree::{Other, Variant};
 use freepath_harness::case::{CaseError, CaseFile, Limits, Prepared, PreparedSubject, SubjectSpec};
 use freepath_harness::experiment::Declared;
-use freepath_harness::kind::SampleArguments;
 use freepath_harness::run::quoted;
-use freepath_harness::samples::Escape;
 use freepath_statistics::claim::Withdrawal;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -35,7 +34,7 @@ pub(crate) fn agree(args: &Agree, color: When) -> Result<u8, CommandError> {
 /// The other file as what the first must agree with.
 fn variant(other: PreparedSubject, args: &Agree) -> Variant<'static> {
     let implied = other.tolerance();
-    let tolerance = args.tolerance.unwrap_or(implied);
+    let tolerance = args.reading.tolerance.unwrap_or(implied);
     Variant { other: Other::Samples { draws: other.draws, tolerance }, experiment: other.experiment }
 }
 
@@ -43,19 +42,13 @@ fn variant(other: PreparedSubject, args: &Agree) -> Variant<'static> {
 fn prepared(args: &Agree, file: &str) -> Result<Vec<Prepared>, CaseError> {
     let unusable = |why: &str| CaseError::File(why.to_string());
     let (a, b) = (&args.a, &args.b);
-    let arguments = SampleArguments {
-        file: file.to_string(),
-        column: args.column.clone(),
-        weight: None,
-        escape: args.escape,
-        format: args.format,
-    };
+    let arguments = args.reading.arguments(file, None);
     let unknown = Err("cannot tell what the samples are: there is no such kind");
     let spec = SubjectSpec::of_samples(&args.kind, arguments).unwrap_or(unknown).map_err(unusable)?;
     let spec = SubjectSpec {
         name: Some(format!("{a} against {b}")),
-        draws: args.draws,
-        tolerance: args.tolerance,
+        draws: args.reading.draws,
+        tolerance: args.reading.tolerance,
         declare: args.declare.iter().copied().reduce(Declared::and),
         without: vec![Withdrawal::Truth],
         ..spec
@@ -80,17 +73,10 @@ fn scene(args: &Agree) -> String {
 
 /// The command with every flag that the results depend on.
 fn repro(args: &Agree) -> String {
-    let flag = |name: &str, value: &str| format!("--{name} {}", quoted(value));
     let mut words = vec![quoted(command_name::get()), "agree".into(), quoted(&args.a), quoted(&args.b)];
     words.push(flag("as", &args.kind));
     words.extend(args.length.map(|length| format!("--length {length:e}")));
-    words.extend(args.column.as_ref().map(|name| flag("column", name)));
-    let escape = Some(&args.escape).filter(|&escape| *escape != Escape::default());
-    words.extend(escape.map(|escape| flag("escape", &escape.to_string())));
-    let format = args.format.as_ref().and_then(|format| serde_json::to_value(format).ok());
-    words.extend(format.as_ref().and_then(|format| format.as_str()).map(|format| flag("format", format)));
-    words.extend(args.draws.map(|n| format!("--draws {n}")));
-    words.extend(args.tolerance.map(|x| format!("--tolerance {x:e}")));
+    words.extend(args.reading.words(None));
     words.extend(args.declare.iter().map(|declared| flag("declare", &declared.to_string())));
     words.join(" ")
 }
