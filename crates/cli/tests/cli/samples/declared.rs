@@ -104,3 +104,17 @@ fn a_case_declares_as_a_command_line_does_and_is_refused_at_the_place() {
     let (code, _, err) = check(&folder, &["mine.csv", "--without", "truht"]);
     assert!(code == 2 && err.contains("truth"), "{err}");
 }
+
+/// Errors up to a tolerance are not seen: what would be seen is larger.
+#[test]
+fn what_would_be_seen_is_beyond_the_tolerance() {
+    let detectable = |factor: f64, more: &[&str]| {
+        let estimates: Vec<f64> = ratio(60_000).iter().map(|x| factor * x).collect();
+        let (code, result) = judged("declared_tolerance", &estimates, more);
+        assert_eq!(code, 0, "{:?}", result.notes);
+        result.mean.unwrap().detectable.0
+    };
+    let (none, tolerated) = (detectable(1.0, &[]), detectable(1.0, &["--tolerance", "0.01"]));
+    assert!(none < 0.01 && (tolerated / (0.01 + none) - 1.0).abs() < 0.05, "{none} {tolerated}");
+    assert!(detectable(1.1, &["--tolerance", "0.01"]) > 0.01, "5e-3 too large, and a pass");
+}
