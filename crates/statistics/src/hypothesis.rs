@@ -61,6 +61,7 @@ pub use clt_gate::clt_gate;
 pub use coleman::coleman;
 pub use cramer_von_mises::cramer_von_mises;
 pub use distance::{Among, Bracket, sup_distance};
+pub(crate) use exposure::extinction_factor;
 pub use exposure::{detectable_scale, exposure};
 pub use family::{declares, family, may_reject_alone};
 pub use growth::growth;

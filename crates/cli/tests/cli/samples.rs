@@ -71,6 +71,8 @@ fn a_wrong_sampler_fails_and_the_repro_says_how_to_see_it_again() {
     assert_eq!((code, err.as_str()), (1, ""));
     let results: Results = serde_json::from_str(&out).unwrap();
     assert_eq!((results.results[0].draws, results.results[0].draws_stage2), (20_000, 40_000));
+    let hint = "one number explains it: as if the optical depth were 0.9";
+    assert!(results.results[0].notes.iter().any(|note| note.starts_with(hint)), "{:?}", results.results[0].notes);
     let command = &results.results[0].repro;
     assert!(
         command.starts_with("freepath check 'my draws.csv' --case cases/slab.json --as free_path"),

@@ -33,7 +33,7 @@ pub(super) fn result(
 ) -> SubjectResult {
     let (Trial { case, prepared, .. }, decision) = (trial, decide(stages.first, stages.second));
     let expected = expectation(trial, &decision);
-    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order, .. } =
+    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order, hints, .. } =
         summary(trial, grown(trial, stages).as_ref(), detection);
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
@@ -48,7 +48,7 @@ pub(super) fn result(
         parameters: serde_json::to_value(&prepared.spec).unwrap_or_default(),
         verdict: decision.verdict,
         reasons: decision.reasons,
-        notes: decision.notes,
+        notes: [decision.notes, if decision.verdict == Verdict::Fail { hints } else { Vec::new() }].concat(),
         expected: expected.words,
         expected_by_design: expected.by_design,
         as_expected: expected.met,

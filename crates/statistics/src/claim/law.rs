@@ -12,6 +12,7 @@ use freepath_results::{ClaimResult, Reason};
 use std::sync::Arc;
 
 mod growth;
+mod hint;
 mod life_table;
 mod result;
 mod series;
@@ -71,6 +72,7 @@ impl Claim for LawClaim {
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
         let cells = tallies.counts(self.cells);
         into.law = Some(law_result(&self.law, cells, &into.detection));
+        into.hints.extend(hint::hint(&self.law, cells));
         into.series.cdf = Some(series::cdf(&self.law, self.own.as_deref(), cells));
         into.series.histogram = Some(series::histogram(&self.law, cells));
         into.series.residuals = series::residual(&self.law, cells);

@@ -22,6 +22,8 @@ pub struct Summary {
     pub lookups_expected: Option<f64>,
     /// The counts of the audit.
     pub audit: AuditResult,
+    /// What would explain a failure by one number, in words: of no use where there is none.
+    pub hints: Vec<String>,
     /// For a step rule: how its error falls.
     pub order: Option<StepOrder>,
 }
@@ -49,6 +51,7 @@ impl Summary {
             lookups: 0.0,
             lookups_expected: None,
             audit: AuditResult::default(),
+            hints: Vec::new(),
             order: None,
         }
     }

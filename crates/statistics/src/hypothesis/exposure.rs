@@ -65,7 +65,13 @@ pub fn exposure(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
     let z = standardised(excess, (n * exposure.variance).sqrt());
     let factor = tally.collided() as f64 / travelled;
     Evidence::new(name, z, None, pearson_two_sided(exposure.skewness / n.sqrt(), z), reason)
-        .noted(format!("as if the extinction were {factor:.5} times as large"))
+        .noted(format!("{factor:.5} collisions over the depth travelled for each that is due"))
+}
+
+/// The factor on the extinction that the collisions make likeliest: their number over the depth travelled.
+#[must_use]
+pub(crate) fn extinction_factor(law: &Law, tally: &CellTally) -> f64 {
+    tally.collided() as f64 / Exposure::new(law).travelled(tally)
 }
 
 /// The smallest relative error of the extinction that the score would have seen in both stages with the usual power; none where it
@@ -176,7 +182,7 @@ mod tests {
         let dense = exposure(&law, &expected(&law, 1.01, 1e6), Reason::WrongLaw);
         let z = 0.01 * (1e6 * law.collided()).sqrt();
         assert!((dense.statistic / z - 1.0).abs() < 0.02, "{dense:?}");
-        assert_eq!(dense.note, "as if the extinction were 1.01000 times as large");
+        assert_eq!(dense.note, "1.01000 collisions over the depth travelled for each that is due");
         assert!(dense.p < Some(1e-12));
     }
 
