@@ -59,11 +59,17 @@ fn figure(of: &SubjectResult) -> String {
     let fails = of.verdict == Verdict::Fail;
     match (&of.law, means.max_by(worst)) {
         (Some(law), _) if fails => format!("gap {:.1e}", law.distance.0),
-        (Some(law), _) => bound(law.bound, law.detectable),
+        (Some(law), _) => bound(law.bound, law.detectable) + &of_weighted_laws(of),
         (None, Some(mean)) if fails => format!("bias {:+.1e}", mean.bias.0),
-        (None, Some(mean)) => bound(mean.bound, mean.detectable),
+        (None, Some(mean)) => bound(mean.bound, mean.detectable) + &of_weighted_laws(of),
         (None, None) => String::new(),
     }
+}
+
+/// The gap that laws under weights may still have, channel by channel.
+fn of_weighted_laws(of: &SubjectResult) -> String {
+    let worst = of.weighted_laws.iter().map(|law| law.bound.0).max_by(f64::total_cmp);
+    worst.map(|bound| format!(", weighted {bound:.1e}")).unwrap_or_default()
 }
 
 /// One line for each subject of which `shown` says so.

@@ -23,6 +23,7 @@ mod outline;
 mod placed;
 mod ray;
 mod samples;
+mod weighing;
 
 pub use body::Body;
 pub use in_scene::{InScene, Source};

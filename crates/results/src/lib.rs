@@ -35,7 +35,7 @@ pub use claim::ClaimResult;
 pub use grown::{Grown, GrownOutcome};
 pub use kind::KindResult;
 pub use law::{Atom, CdfSeries, HistogramSeries, LawResult, LifeTable, ResidualSeries};
-pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries};
+pub use mean::{ChannelResult, Efficiency, MeanResult, RunningSeries, WeightedLawResult};
 pub use medium::{MediumResult, MediumSeries};
 pub use power::{FEWEST_DRAWS, POWER_SCHEMA_VERSION, PowerResults, PowerRow, Role, Rung, Sighting};
 pub use ranking::{Ranked, RankedPair, Ranking, Refused};

@@ -46,6 +46,17 @@ pub struct ChannelResult {
     pub mean: MeanResult,
 }
 
+/// The law of the distance under the weights of one channel.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct WeightedLawResult {
+    /// The channel, from 0.
+    pub channel: usize,
+    /// The largest gap |sum of w over t <= x, a draw, less E[w; t <= x]| at the edges of 64 parts of the ray.
+    pub distance: Real,
+    /// The largest gap that the draws still allow; infinite if their tail leaves it open.
+    pub bound: Real,
+}
+
 /// The running mean of stage 1, on a log scale of draws.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 pub struct RunningSeries {

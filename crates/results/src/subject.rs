@@ -1,4 +1,7 @@
-use crate::{ChannelResult, ClaimResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict};
+use crate::{
+    ChannelResult, ClaimResult, Efficiency, LawResult, MeanResult, Real, Reason, Series, Verdict,
+    WeightedLawResult,
+};
 use serde::{Deserialize, Serialize};
 
 /// The findings on one subject in one medium.
@@ -60,6 +63,9 @@ pub struct SubjectResult {
     /// Of the claims of weighted means, channel by channel.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub channels: Vec<ChannelResult>,
+    /// Of the claims of laws under weights, channel by channel.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub weighted_laws: Vec<WeightedLawResult>,
     /// Every test of both stages.
     pub tests: Vec<TestResult>,
     /// Contradictions of a claim, for certain, in the order in which they were seen.

@@ -48,6 +48,7 @@ mod summary;
 mod ties;
 mod unit_weight;
 mod vacuum;
+mod weighted_law;
 mod withdrawal;
 
 pub use agreement::{Agreed, Comparable, LawAgreement, MeanAgreement, Spread};
@@ -86,6 +87,7 @@ pub use summary::{StepOrder, Summary};
 pub use ties::{TiesClaim, Written};
 pub use unit_weight::UnitWeightClaim;
 pub use vacuum::Vacuum;
+pub use weighted_law::WeightedLawClaim;
 pub use withdrawal::Withdrawal;
 
 /// A contradiction of a claim, for certain, by one row.

@@ -29,6 +29,7 @@ mod strays;
 mod ties;
 mod unit_weight;
 mod wealth;
+mod weighed;
 mod weight;
 
 pub use auxiliary::Auxiliary;
@@ -52,6 +53,7 @@ pub use strays::{ProbableEscape, Repeated, Sentinel, Short, StrayCounts, Strays}
 pub use ties::Ties;
 pub use unit_weight::UnitWeight;
 pub use wealth::WealthSums;
+pub use weighed::Weighed;
 pub use weight::{WeightPart, WeightSums, Weights};
 
 /// Counts that merge in any order.

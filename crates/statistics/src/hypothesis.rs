@@ -44,6 +44,9 @@ mod series;
 pub(crate) mod ties;
 mod too_even;
 mod triples;
+mod weighted;
+mod weighted_bound;
+mod weighted_law;
 mod whole_law;
 
 pub use agree::{Sample, agree_atom, agree_law, agree_mean};
@@ -91,4 +94,7 @@ pub use series::series;
 pub use ties::{pair_probability, ties};
 pub use too_even::too_even;
 pub use triples::triples;
+pub use weighted::weighted;
+pub use weighted_bound::{WeightedGap, weighted_gap};
+pub use weighted_law::WeightedLaw;
 pub use whole_law::whole_law;

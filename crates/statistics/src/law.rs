@@ -174,20 +174,27 @@ impl Law {
     /// one cell holds the share of several.
     #[must_use]
     pub fn groups(&self, wanted: usize) -> Groups {
-        let per_group = wanted as f64 / self.collided();
-        let (mut bounds, mut next, mut last) = (vec![0], 1.0, 0.0);
-        for k in 1..self.cells() {
-            let reached = self.mass_between(0, k) * per_group;
-            let (share, rest) = (reached - last, wanted as f64 - reached);
-            if reached >= next && share >= LEAST_SHARE && rest >= LEAST_SHARE {
-                bounds.push(k);
-                (next, last) = (reached.floor() + 1.0, reached);
-            }
-        }
-        bounds.push(self.cells());
+        let bounds = equal_shares(self.cells(), wanted, |k| self.mass_between(0, k));
         let mass = bounds.windows(2).map(|w| self.mass_between(w[0], w[1])).collect();
         Groups { bounds, mass }
     }
+}
+
+/// The bounds of at most `wanted` groups of neighbours among `cells`, of nearly equal mass, none less than 0.9 of an equal share; `below` is
+/// the mass of so many first cells.
+pub(crate) fn equal_shares(cells: usize, wanted: usize, below: impl Fn(usize) -> f64) -> Vec<usize> {
+    let per_group = wanted as f64 / below(cells);
+    let (mut bounds, mut next, mut last) = (vec![0], 1.0, 0.0);
+    for k in 1..cells {
+        let reached = below(k) * per_group;
+        let (share, rest) = (reached - last, wanted as f64 - reached);
+        if reached >= next && share >= LEAST_SHARE && rest >= LEAST_SHARE {
+            bounds.push(k);
+            (next, last) = (reached.floor() + 1.0, reached);
+        }
+    }
+    bounds.push(cells);
+    bounds
 }
 
 impl Groups {

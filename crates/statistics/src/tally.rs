@@ -16,6 +16,7 @@ mod smallest;
 mod sums;
 mod tail;
 mod ties;
+mod weighed;
 
 pub use audit::{Audit, Excess};
 pub use auxiliary::AuxiliaryTally;
@@ -38,3 +39,4 @@ pub use smallest::Smallest;
 pub use sums::{PowerSums, Running};
 pub use tail::Tail;
 pub use ties::{Commonest, Repeats, TieTally};
+pub use weighed::{Bins, WeighedSums};

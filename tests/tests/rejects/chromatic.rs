@@ -56,6 +56,7 @@ pub(crate) fn chromatic() -> Vec<(&'static str, Reason, Judgement)> {
     let scatter = of_weights(|t, _| if t.is_finite() { 1.05 } else { 1.0 }, 1.0);
     let surface = of_weights(|t, _| if t.is_finite() { 1.0 } else { 0.9 }, 1.0);
     let exchange = of_weights(|t, _| if bin(t) == 3 { 1.1 } else { 1.0 }, 1.0);
+    let waves = of_weights(|t, _| if (32.0 * t / LENGTH) as u32 % 2 == 1 { 1.1 } else { 0.9 }, 1.0);
     let noise = of_weights(|t, u| if t.is_finite() { coin(u) } else { 1.0 }, 1.0);
     let noisy_end = of_weights(|t, u| if t.is_finite() { 1.0 } else { coin(u) }, 1.0);
     let density = of_weights(|_, _| 1.0, 1.0 + 1e-6);
@@ -63,7 +64,8 @@ pub(crate) fn chromatic() -> Vec<(&'static str, Reason, Judgement)> {
         ("pdf_integral", Reason::WrongLaw, density),
         ("scatter_0", Reason::Biased, scatter),
         ("surface_1", Reason::Biased, surface),
-        ("scatter_2_bin_3", Reason::Biased, exchange),
+        ("channel_2_weighted_16", Reason::WrongLaw, exchange),
+        ("channel_0_weighted_64", Reason::WrongLaw, waves),
         ("second_moment_scatter_0", Reason::WrongVariance, noise),
         ("second_moment_surface_0", Reason::WrongVariance, noisy_end),
     ]

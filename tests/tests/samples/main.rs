@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 mod copies;
 mod runs;
 mod shipped;
+mod weighted;
 
 const CONSTANT: &str = r#"{ "constant": { "mu": 1.5, "length": 2.1 } }"#;
 const MU: f64 = 1.5;
@@ -209,7 +210,7 @@ fn chromatic_rows_are_told_right_from_wrong() {
     assert_eq!((right.channels.len(), right.draws + right.draws_stage2), (4, 150_000));
     rows(0.81, f64::NAN);
     let wrong = judged(&folder, medium, subject);
-    assert_eq!((wrong.verdict, wrong.reasons), (Verdict::Fail, vec![Reason::Biased]), "{:?}", wrong.notes);
+    assert_eq!((wrong.verdict, wrong.reasons[0]), (Verdict::Fail, Reason::Biased), "{:?}", wrong.notes);
     put(&folder, "c.csv", b"t,event,w0,w1\n2.2,scatter,1,1\n-1,0,1,1\nnan,scatter,1,1\n");
     let stray = judged(&folder, medium, subject);
     assert_eq!(stray.reasons, [Reason::NonFinite, Reason::OutOfSupport], "{:?}", stray.notes);

@@ -21,6 +21,7 @@ mod pearson;
 mod second_moment;
 mod table;
 mod too_even;
+mod weighted;
 
 use clap::Parser;
 use std::process::ExitCode;
@@ -52,7 +53,7 @@ pub(crate) struct Effort {
 
 type Measure = fn(Effort) -> Vec<Row>;
 
-const TESTS: [(&str, Measure); 13] = [
+const TESTS: [(&str, Measure); 14] = [
     ("chi_square", pearson::rows),
     ("too_even", too_even::rows),
     ("null_positions", null_positions::rows),
@@ -64,6 +65,7 @@ const TESTS: [(&str, Measure); 13] = [
     ("pairs", pairs::rows),
     ("order", order::rows),
     ("auxiliary agree", auxiliary::rows),
+    ("weighted", weighted::rows),
     ("neyman", neyman::rows),
     ("kolmogorov", kolmogorov::rows),
 ];

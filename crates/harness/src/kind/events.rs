@@ -6,10 +6,12 @@ use freepath_draws::column::{self, T, channel};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
     BoundedMean, Claims, CountedPath, Escaping, EventClaim, EventWeights, FiniteRow, Moments, SecondMomentClaim,
-    Withdrawal, bounds, portfolio,
+    WeightedLawClaim, Withdrawal, bounds, portfolio,
 };
-use freepath_statistics::fold::{Batched, Event, EventSums, FoldId, Strays, WealthSums};
-use freepath_statistics::hypothesis::{MeanClaim, SecondMoment};
+use freepath_statistics::fold::{Batched, Event, EventSums, FoldId, Strays, WealthSums, Weighed};
+use freepath_statistics::hypothesis::{MeanClaim, SecondMoment, WeightedLaw};
+use freepath_statistics::tally::Bins;
+use std::sync::Arc;
 
 /// The weighted mean of one event in one channel.
 pub(super) struct EventMean {
@@ -27,19 +29,23 @@ pub(super) struct EventMean {
     pub(super) moments_error: f64,
     /// Nothing says that the weights have a variance: no formula for the event, nor for any scattering.
     pub(super) keeps_tail: bool,
+    /// The share of the event in all that the channel expects.
+    pub(super) share: f64,
+    /// Of scattering: the law of the distance under the weights.
+    pub(super) law: Option<WeightedLaw>,
 }
-
-/// Bins of t in which the weighted mean is tested.
-pub(super) const BINS: usize = 8;
 
 /// The folds of events, and what all of their weights must be.
 pub(super) struct Events {
     means: Vec<EventMean>,
     sums: Vec<FoldId<EventSums>>,
+    /// The sums of all weights in bins of t, if laws are judged by them.
+    weighed: Option<FoldId<Weighed>>,
 }
 
 impl Events {
-    pub(super) fn tally(means: Vec<EventMean>, claims: &mut Claims) -> Self {
+    /// Folds of `means` and, of so many channels, of the weights in `bins`.
+    pub(super) fn tally(means: Vec<EventMean>, channels: usize, bins: Option<Bins>, claims: &mut Claims) -> Self {
         let fold = |mean: &EventMean| EventSums {
             column: channel(mean.channel).into_owned(),
             distance: T,
@@ -48,7 +54,12 @@ impl Events {
             keeps_tail: mean.keeps_tail && mean.mean.range.is_none(),
         };
         let sums = means.iter().map(|mean| claims.folds.add(fold(mean))).collect();
-        Self { means, sums }
+        let weighed = bins.map(|bins| {
+            let columns = (0..channels).map(channel).collect();
+            let (bins, index) = (Arc::new(bins), claims.folds.cell_index());
+            claims.folds.add(Weighed { columns, distance: T, bins, index })
+        });
+        Self { means, sums, weighed }
     }
 
     /// Every weight is finite, and within its range if one is declared.
@@ -68,27 +79,37 @@ impl Events {
         claims.push(FiniteRow { columns: (0..channels).map(|k| channel(k).into_owned()).collect() });
     }
 
-    /// Each event has its mean and, where a formula is known, its second moment.
+    /// Each event has its mean and, where a formula is known, its second moment; scattering a law as well.
     pub(super) fn means(self, terms: &Terms, claims: &mut Claims) {
-        for (EventMean { channel, event, name, mean, moments, moments_error: error, .. }, sums) in
-            self.means.into_iter().zip(self.sums)
-        {
-            let (second, bounded) = (format!("second_moment_{name}"), format!("bounded_mean_{name}"));
-            let fold = Batched::event(column::channel(channel), T, event);
-            batches::mean((&name, Reason::Biased), Moments::Event(sums), fold, mean, terms, claims);
-            claims.push(EventClaim { name, channel, event, mean, sums });
-            if bounds(&mean) && terms.stands(Withdrawal::Independent) {
-                let column = column::channel(channel);
-                let fold = |portfolio| WealthSums { column, event: Some((T, event)), portfolio };
-                let wealth = portfolio(&mean).map(|portfolio| claims.folds.add(fold(portfolio)));
-                let (sums, reason) = (Moments::Event(sums), Reason::Biased);
-                claims.push(BoundedMean { name: bounded, sums, wealth, mean, reason });
+        for (event, sums) in self.means.into_iter().zip(self.sums) {
+            let EventMean { channel, share, law, .. } = &event;
+            let (channel, share, law) = (*channel, *share, law.clone());
+            event.claim(sums, terms, claims);
+            if let (Some(law), Some(weighed)) = (law, self.weighed) {
+                claims.push(WeightedLawClaim { channel, law, sums: weighed, scatter: sums, share });
             }
-            if let Some(moments) = moments {
-                let sums = Moments::Event(sums);
-                let moment = SecondMoment { moments, error, slack: mean.slack };
-                claims.push(SecondMomentClaim { name: second, sums, moment });
-            }
+        }
+    }
+}
+
+impl EventMean {
+    fn claim(self, sums: FoldId<EventSums>, terms: &Terms, claims: &mut Claims) {
+        let Self { channel, event, name, mean, moments, moments_error: error, share, .. } = self;
+        let (second, bounded) = (format!("second_moment_{name}"), format!("bounded_mean_{name}"));
+        let fold = Batched::event(column::channel(channel), T, event);
+        batches::mean((&name, Reason::Biased), Moments::Event(sums), fold, mean, terms, claims);
+        claims.push(EventClaim { name, channel, event, mean, share, sums });
+        if bounds(&mean) && terms.stands(Withdrawal::Independent) {
+            let column = column::channel(channel);
+            let fold = |portfolio| WealthSums { column, event: Some((T, event)), portfolio };
+            let wealth = portfolio(&mean).map(|portfolio| claims.folds.add(fold(portfolio)));
+            let (sums, reason) = (Moments::Event(sums), Reason::Biased);
+            claims.push(BoundedMean { name: bounded, sums, wealth, mean, reason });
+        }
+        if let Some(moments) = moments {
+            let sums = Moments::Event(sums);
+            let moment = SecondMoment { moments, error, slack: mean.slack };
+            claims.push(SecondMomentClaim { name: second, sums, moment });
         }
     }
 }

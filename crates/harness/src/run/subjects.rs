@@ -33,8 +33,7 @@ pub(super) fn result(
 ) -> SubjectResult {
     let (Trial { case, prepared, .. }, decision) = (trial, decide(stages.first, stages.second));
     let expected = expectation(trial, &decision);
-    let Summary { claims, mean, law, channels, series, lookups, lookups_expected, audit, order, hints, .. } =
-        summary(trial, grown(trial, stages).as_ref(), detection);
+    let told = summary(trial, grown(trial, stages).as_ref(), detection);
     SubjectResult {
         repro: repro(case, &id(case, prepared), options),
         id: id(case, prepared),
@@ -48,7 +47,7 @@ pub(super) fn result(
         parameters: serde_json::to_value(&prepared.spec).unwrap_or_default(),
         verdict: decision.verdict,
         reasons: decision.reasons,
-        notes: [decision.notes, if decision.verdict == Verdict::Fail { hints } else { Vec::new() }].concat(),
+        notes: [decision.notes, if decision.verdict == Verdict::Fail { told.hints } else { Vec::new() }].concat(),
         expected: expected.words,
         expected_by_design: expected.by_design,
         as_expected: expected.met,
@@ -58,18 +57,19 @@ pub(super) fn result(
         draws: trial.first.collected.as_ref().map_or(0, |seen| seen.tallies.draws),
         draws_left: prepared.source.as_deref().and_then(Origin::file).map_or(0, SampleFile::left),
         draws_stage2: trial.second.as_ref().map_or(0, |(_, draws)| *draws),
-        claims,
-        mean,
-        law,
-        channels,
+        claims: told.claims,
+        mean: told.mean,
+        law: told.law,
+        channels: told.channels,
+        weighted_laws: told.weighted,
         tests: stages.numbered().flat_map(tests).collect(),
         facts: stages.numbered().flat_map(facts).collect(),
-        series,
-        lookups: Real(lookups),
-        lookups_expected: lookups_expected.map(Real),
-        audit,
+        series: told.series,
+        lookups: Real(told.lookups),
+        lookups_expected: told.lookups_expected.map(Real),
+        audit: told.audit,
         efficiency: efficiency(trial, decision.verdict),
-        order: order.and_then(|order| order_result(trial, order)),
+        order: told.order.and_then(|order| order_result(trial, order)),
     }
 }
 

@@ -52,7 +52,7 @@ fn blank(medium: &Medium, i: usize, plan: &Plan) -> SubjectResult {
         masks_fault: false,
         draws_requested: 1_000_000, draws: DRAWS, draws_stage2: 0, draws_left: 0,
         claims: vec![ClaimResult::new("bounded", "no look-up exceeds the majorant that held there")],
-        mean: None, law: None, channels: vec![], tests: vec![], facts: vec![], series: Series::default(),
+        mean: None, law: None, channels: vec![], weighted_laws: vec![], tests: vec![], facts: vec![], series: Series::default(),
         lookups: plan.lookups.into(), lookups_expected: Some(plan.lookups.into()),
         audit: AuditResult { lookups, ..AuditResult::default() },
         efficiency: None, order: None,

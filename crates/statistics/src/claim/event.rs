@@ -1,4 +1,5 @@
 use super::mean::{condition, judge_mean, with_interval};
+use super::weighted_law::unseen;
 use super::{Claim, Summary, Withdrawal};
 use crate::fold::{Event, EventSums, FoldId, Tallies};
 use crate::hypothesis::{self, MeanClaim, detectable_mean};
@@ -16,6 +17,8 @@ pub struct EventClaim {
     pub event: Event,
     /// E[w; event].
     pub mean: MeanClaim,
+    /// Its share in all that the channel expects.
+    pub share: f64,
     /// The sums.
     pub sums: FoldId<EventSums>,
 }
@@ -39,7 +42,13 @@ impl Claim for EventClaim {
     }
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
-        judge_mean(&self.name, &power_sums(tallies, self.sums), &self.mean, into);
+        let (sums, mut own) = (power_sums(tallies, self.sums), Judged::default());
+        judge_mean(&self.name, &sums, &self.mean, &mut own);
+        if unseen(self.share, sums.n) {
+            own.gates.retain(|(reason, _)| *reason != Reason::RareEvent);
+        }
+        into.gates.append(&mut own.gates);
+        into.evidence.append(&mut own.evidence);
     }
 
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {

@@ -1,5 +1,7 @@
 use crate::detection::Detection;
-use freepath_results::{AuditResult, ChannelResult, ClaimResult, Grown, LawResult, MeanResult, Series};
+use freepath_results::{
+    AuditResult, ChannelResult, ClaimResult, Grown, LawResult, MeanResult, Series, WeightedLawResult,
+};
 
 /// The additions of the claims on one subject to its results.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub struct Summary {
     pub law: Option<LawResult>,
     /// Of weighted means of events.
     pub channels: Vec<ChannelResult>,
+    /// Of laws under weights.
+    pub weighted: Vec<WeightedLawResult>,
     /// The series that plots draw.
     pub series: Series,
     /// Look-ups per draw.
@@ -47,6 +51,7 @@ impl Summary {
             mean: None,
             law: None,
             channels: Vec::new(),
+            weighted: Vec::new(),
             series: Series::default(),
             lookups: 0.0,
             lookups_expected: None,

@@ -64,6 +64,7 @@ mod tests {
         let to = ["atom", "mean", "mean", "second_moment", "chi_square_16", "atom"];
         assert_eq!(of.map(family), to);
         assert_eq!(["channel_0_order", "channel_12_along_escapes"].map(family), ["order", "along_escapes"]);
+        assert_eq!(["channel_0_weighted_16", "channel_2_weighted_64"].map(family), ["weighted_16", "weighted_64"]);
         assert_eq!(["second_rank_kuiper", "joint_chi_square_64"].map(family), ["kuiper", "chi_square_64"]);
     }
 

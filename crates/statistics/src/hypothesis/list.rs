@@ -3,7 +3,7 @@ use super::{
     agree, along, anderson_darling, atom, auxiliary, batch_shares, batches, berk_jones, bounded_mean, breaks,
     chi_square, coleman, cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman,
     null_positions, order, pairs, pairs_far, pdf_integral, period, poisson_count, rare_lags, scan, second_moment,
-    series, ties, too_even, triples, whole_law,
+    series, ties, too_even, triples, weighted, whole_law,
 };
 
 /// Every test, in the order in which they are told.
@@ -43,6 +43,8 @@ pub const TESTS: &[Test] = &[
     batch_shares::TEST,
     mean::TEST,
     bounded_mean::TEST,
+    weighted::TESTS[0],
+    weighted::TESTS[1],
     growth::TEST,
     second_moment::TEST,
     lookups::TEST,

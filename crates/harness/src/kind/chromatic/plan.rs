@@ -4,7 +4,8 @@ use crate::kind::column_order::OrderedColumn;
 use crate::kind::{Source, batches};
 use freepath_draws::column::{T, channel};
 use crate::kind::escaping;
-use crate::kind::events::{BINS, EventMean, Events, weights};
+use crate::kind::events::{EventMean, Events, weights};
+use crate::kind::weighing::{Weighing, bins};
 use freepath_draws::quadrature::{Integral, Panels, decays};
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::medium::ChromaticMedium;
@@ -17,7 +18,7 @@ use freepath_statistics::claim::{
 use freepath_statistics::fold::{Breaks, Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
 use freepath_statistics::hypothesis::{PdfMass, pair_probability};
 use freepath_statistics::{Grain, Law};
-use freepath_statistics::tally::{Flanks, Scores};
+use freepath_statistics::tally::{Bins, Flanks, Scores};
 use std::sync::Arc;
 
 /// The most that quadrature may leave of the moments, relative to each, for a variance by formula to be one.
@@ -29,7 +30,7 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     let lookups = claims.folds.add(Lookups);
     claims.push(InsideRay { lookups });
     let known = terms.stands(Withdrawal::Truth);
-    let events = known.then(|| Events::tally(means(medium, &said, terms), &mut claims));
+    let events = known.then(|| events(medium, &said, terms, &mut claims));
     if let Some(events) = &events {
         events.finite(terms, &mut claims);
     }
@@ -113,47 +114,69 @@ fn survival(medium: &ChromaticMedium, mixture: Vec<f64>) -> impl Fn(f64) -> f64 
     move |t| mixture.iter().zip(&rates).map(|(q, mu)| q * libm::exp(-mu * t)).sum()
 }
 
-/// The means that any unbiased sampler of these channels must give, and what the claims add: channel by channel
-/// scatter, surface, then bins of t.
-fn means(medium: &ChromaticMedium, said: &ChromaticClaims, terms: &Terms) -> Vec<EventMean> {
+/// The means that any unbiased sampler of these channels must give, and what the claims add, channel by channel: scatter, surface and, where
+/// rows may depend, parts of t; else the law of t under the weights.
+fn events(medium: &ChromaticMedium, said: &ChromaticClaims, terms: &Terms, claims: &mut Claims) -> Events {
     let (channels, length) = (medium.channels(), medium.length());
-    (0..channels.len()).flat_map(|k| of_channel(k, &channels, length, said, terms)).collect()
+    let survivals: Vec<_> = channels.iter().map(|channel| alone(channel.extinction.mu(0.0))).collect();
+    let weighings = channels.iter().zip(&survivals);
+    let weighings: Vec<Weighing> =
+        weighings.map(|(channel, survival)| Weighing { survival, albedo: channel.albedo, length }).collect();
+    let bins = if terms.stands(Withdrawal::Independent) { bins(&weighings) } else { None };
+    let of_channel = |(k, weighing)| Means { k, channels: &channels, weighing, said, terms }.all(bins.as_ref());
+    let means = weighings.iter().enumerate().flat_map(of_channel).collect();
+    Events::tally(means, channels.len(), bins, claims)
 }
 
-fn of_channel(
+/// P(t > x) in a channel of this extinction.
+fn alone(mu: f64) -> impl Fn(f64) -> f64 {
+    move |t| libm::exp(-mu * t)
+}
+
+/// The means of one channel.
+struct Means<'a> {
     k: usize,
-    channels: &[Channel],
-    length: f64,
-    said: &ChromaticClaims,
-    terms: &Terms,
-) -> Vec<EventMean> {
-    let (mu, albedo) = (channels[k].extinction.mu(0.0), channels[k].albedo);
-    let between = |a: f64, b: f64| albedo * (libm::exp(-mu * a) - libm::exp(-mu * b));
-    let edge = |bin: usize| length * bin as f64 / BINS as f64;
-    let mean = |event: Event, name: String, expected: f64, moments: Option<[f64; 3]>| {
+    channels: &'a [Channel<'a>],
+    weighing: &'a Weighing<'a>,
+    said: &'a ChromaticClaims,
+    terms: &'a Terms<'a>,
+}
+
+impl Means<'_> {
+    fn all(&self, bins: Option<&Bins>) -> Vec<EventMean> {
+        let (k, length, said, terms) = (self.k, self.weighing.length, self.said, self.terms);
+        let own = |moments: &Option<Vec<[f64; 3]>>| moments.as_ref().and_then(|m| m.get(k).copied());
+        let scattered = self.weighing.between(0.0, length);
+        let scatter = self.mean(Event::Scatter, format!("scatter_{k}"), scattered, own(&said.scatter_moments));
+        let law = bins.and_then(|bins| self.weighing.law(bins, terms.tolerance));
+        let through = (self.weighing.survival)(length);
+        let surface = self.mean(Event::Surface, format!("surface_{k}"), through, own(&said.surface_moments));
+        let parts = if terms.stands(Withdrawal::Independent) { Vec::new() } else { self.weighing.parts() };
+        let part = |(part, edges): (usize, &[f64])| {
+            let (event, name) = (Event::Between(edges[0], edges[1]), format!("scatter_{k}_bin_{part}"));
+            self.mean(event, name, self.weighing.between(edges[0], edges[1]), None)
+        };
+        let mut means = vec![EventMean { law, ..scatter }, surface];
+        means.extend(parts.windows(2).enumerate().map(part));
+        means
+    }
+
+    fn mean(&self, event: Event, name: String, expected: f64, moments: Option<[f64; 3]>) -> EventMean {
+        let Self { k, channels, weighing, said, terms } = *self;
         let likely = said.mixture.as_ref().map(|q| probability(event, channels, q));
+        let known = moments.filter(|_| said.moments_error <= MOST_LEFT);
         EventMean {
             channel: k,
             event,
             name,
-            mean: weights(expected, moments.filter(|_| said.moments_error <= MOST_LEFT), likely, terms.tolerance, terms.declared),
+            mean: weights(expected, known, likely, terms.tolerance, terms.declared),
             moments,
             moments_error: said.moments_error,
             keeps_tail: moments.is_none() && (event == Event::Surface || said.scatter_moments.is_none()),
+            share: expected / (weighing.between(0.0, weighing.length) + (weighing.survival)(weighing.length)),
+            law: None,
         }
-    };
-    let own = |moments: &Option<Vec<[f64; 3]>>| moments.as_ref().and_then(|m| m.get(k).copied());
-    let (scatter, surface) = (own(&said.scatter_moments), own(&said.surface_moments));
-    let (scattered, through) = (between(0.0, length), libm::exp(-mu * length));
-    let mut means = vec![
-        mean(Event::Scatter, format!("scatter_{k}"), scattered, scatter),
-        mean(Event::Surface, format!("surface_{k}"), through, surface),
-    ];
-    means.extend((0..BINS).map(|bin| {
-        let (from, to) = (edge(bin), edge(bin + 1));
-        mean(Event::Between(from, to), format!("scatter_{k}_bin_{bin}"), between(from, to), None)
-    }));
-    means
+    }
 }
 
 /// The probability of an event, if `mixture` are those of the channels.

@@ -2,10 +2,12 @@ use crate::experiment::{Plan, Terms};
 use crate::kind::column_order::OrderedColumn;
 use crate::kind::Ray;
 use crate::kind::escaping;
-use crate::kind::events::{BINS, EventMean, Events, weights};
+use crate::kind::events::{EventMean, Events, weights};
+use crate::kind::weighing::{Weighing, bins};
 use freepath_draws::column::{T, channel};
 use freepath_statistics::claim::{Claims, EnoughRows, Escaping, InsideRay, Withdrawal};
 use freepath_statistics::fold::{Event, Lookups};
+use freepath_statistics::tally::Bins;
 use freepath_statistics::Law;
 
 /// Weighted free paths, as a file may hold them: a single channel without absorption.
@@ -15,7 +17,11 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     claims.push(InsideRay { lookups });
     claims.push(EnoughRows);
     let known = terms.stands(Withdrawal::Truth);
-    let events = known.then(|| Events::tally(means(ray, terms), &mut claims));
+    let survival = |t: f64| libm::exp(-ray.truth.tau(t));
+    let weighing = Weighing { survival: &survival, albedo: 1.0, length: ray.truth.length() };
+    let bins = if terms.stands(Withdrawal::Independent) { bins(std::slice::from_ref(&weighing)) } else { None };
+    let means = known.then(|| means(ray, &weighing, bins.as_ref(), terms));
+    let events = means.map(|means| Events::tally(means, 1, bins, &mut claims));
     if let Some(events) = &events {
         events.finite(terms, &mut claims);
     }
@@ -29,10 +35,10 @@ pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {
     Plan { claims, beside: Vec::new() }
 }
 
-fn means(ray: Ray, terms: &Terms) -> Vec<EventMean> {
+fn means(ray: Ray, weighing: &Weighing, bins: Option<&Bins>, terms: &Terms) -> Vec<EventMean> {
     let (truth, length) = (ray.truth, ray.truth.length());
-    let survival = |t: f64| libm::exp(-truth.tau(t));
-    let slack = terms.tolerance * (1.0 + Law::new(length, 0.0, survival).steepness()) + truth.tau_error();
+    let steepness = Law::new(length, 0.0, weighing.survival).steepness();
+    let slack = terms.tolerance * (1.0 + steepness) + truth.tau_error();
     let mean = |event, name, expected| EventMean {
         channel: 0,
         event,
@@ -41,15 +47,18 @@ fn means(ray: Ray, terms: &Terms) -> Vec<EventMean> {
         moments: None,
         moments_error: 0.0,
         keeps_tail: true,
+        share: expected,
+        law: bins.filter(|_| event == Event::Scatter).and_then(|bins| weighing.law(bins, slack)),
     };
-    let bin = |bin: usize| {
-        let [from, to] = [bin, bin + 1].map(|bin| length * bin as f64 / BINS as f64);
-        mean(Event::Between(from, to), format!("scatter_0_bin_{bin}"), survival(from) - survival(to))
+    let part = |(part, edges): (usize, &[f64])| {
+        let (from, to) = (edges[0], edges[1]);
+        mean(Event::Between(from, to), format!("scatter_0_bin_{part}"), weighing.between(from, to))
     };
+    let parts = if terms.stands(Withdrawal::Independent) { Vec::new() } else { weighing.parts() };
     let mut means = vec![
         mean(Event::Scatter, "scatter_0".into(), -libm::expm1(-truth.tau(length))),
-        mean(Event::Surface, "surface_0".into(), survival(length)),
+        mean(Event::Surface, "surface_0".into(), (weighing.survival)(length)),
     ];
-    means.extend((0..BINS).map(bin));
+    means.extend(parts.windows(2).enumerate().map(part));
     means
 }

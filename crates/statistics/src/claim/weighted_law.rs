@@ -1,0 +1,83 @@
+use super::event::power_sums;
+use super::{Claim, Summary, Withdrawal};
+use crate::evidence::{Evidence, REPORTING_LEVEL};
+use crate::fold::{EventSums, FoldId, Tallies, Weighed};
+use crate::hypothesis::{self, WeightedGap, WeightedLaw, clt_gate, weighted_gap};
+use crate::judged::Judged;
+use freepath_results::{ClaimResult, Real, Reason, WeightedLawResult};
+
+/// Distances follow a law under the weights of a channel.
+pub struct WeightedLawClaim {
+    /// The channel.
+    pub channel: usize,
+    /// E[w; t in a bin].
+    pub law: WeightedLaw,
+    /// The sums of all channels.
+    pub sums: FoldId<Weighed>,
+    /// The sums over all that scatters, which tell the tail of the weights.
+    pub scatter: FoldId<EventSums>,
+    /// The share of scattering in all that the channel expects.
+    pub share: f64,
+}
+
+/// Parts of the ray, broad and narrow.
+const PARTS: [usize; 2] = [16, 64];
+
+impl WeightedLawClaim {
+    /// The reason why sums of these weights have no normal law, if so.
+    fn untamed(&self, tallies: &Tallies) -> Option<(Reason, String)> {
+        clt_gate(&power_sums(tallies, self.scatter))
+    }
+}
+
+impl Claim for WeightedLawClaim {
+    fn statement(&self) -> Option<ClaimResult> {
+        let channel = self.channel;
+        let words = format!("under the weights of channel {channel} the distances follow the law of the channel");
+        Some(ClaimResult::new(format!("channel_{channel}_weighted_law"), words))
+    }
+
+    fn withdrawn_by(&self) -> &'static [Withdrawal] {
+        &[Withdrawal::Truth, Withdrawal::Independent]
+    }
+
+    fn judge(&self, tallies: &Tallies, into: &mut Judged) {
+        let (sums, untamed) = (tallies.sums(self.sums), self.untamed(tallies));
+        let name = |parts| format!("channel_{}_weighted_{parts}", self.channel);
+        let test = |parts| {
+            let evidence = hypothesis::weighted(name(parts), &self.law, sums, self.channel, parts);
+            match &untamed {
+                Some((_, why)) => Evidence::withheld(evidence.name, evidence.statistic, evidence.reason, why),
+                None => evidence,
+            }
+        };
+        let [broad, narrow] = PARTS.map(test);
+        let signed = sums.negative[self.channel] > 0;
+        if broad.p.is_none() && !signed && !unseen(self.share, sums.rows) {
+            let reason = untamed.map_or(Reason::NotEnoughDraws, |(reason, _)| reason);
+            into.gates.push((reason, format!("{}: {}", broad.name, broad.note)));
+        }
+        into.evidence.extend([broad, narrow]);
+    }
+
+    fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
+        let gap = weighted_gap(&self.law, tallies.sums(self.sums), self.channel, REPORTING_LEVEL);
+        let known = self.untamed(tallies).is_none();
+        let WeightedGap { distance, bound } = gap;
+        let bound = if known { bound } else { f64::INFINITY };
+        into.weighted.push(WeightedLawResult {
+            channel: self.channel,
+            distance: Real(distance),
+            bound: Real(bound),
+        });
+    }
+}
+
+/// Fewest draws whose weight an event must expect for its rareness to leave a law open. One that expects less is part of a law whose other
+/// parts are judged: so many draws could not tell it from nothing, and more of them would not be asked for where the weights are all 1.
+const FEWEST_DUE: f64 = 200.0;
+
+/// True if an event that makes this share of what a channel expects is too rare to be asked for among so many draws.
+pub(super) fn unseen(share: f64, draws: u64) -> bool {
+    share * (draws as f64) < FEWEST_DUE
+}
