@@ -4,6 +4,7 @@ use super::Layer;
 
 pub(super) mod channel_pdf;
 pub(super) mod dropped_channel;
+pub(super) mod exchanged_weights;
 pub(super) mod hero_nulls;
 pub(super) mod sampled_depth;
 pub(super) mod skewed_pdf;

@@ -3,6 +3,7 @@
 use super::Layer;
 
 pub(super) mod absorbed_twice;
+pub(super) mod bin_centre;
 pub(super) mod cold_start;
 pub(super) mod compensated_roulette;
 pub(super) mod completion_order;

@@ -131,6 +131,11 @@ impl Target<'_> {
         if self.estimates { Err(why()) } else { self.crosses_a_medium() }
     }
 
+    /// Refuses estimates; a distance may be that of all channels.
+    pub(super) fn draws_distances_or_channels(&self) -> Result<(), String> {
+        if self.mixture.is_some() { Ok(()) } else { self.draws_distances() }
+    }
+
     /// Refuses a channel that is not there.
     pub(super) fn has_channel(&self, channel: usize) -> Result<(), String> {
         match self.mixture.as_ref().map(|mixture| mixture.channels().len()) {
