@@ -94,6 +94,8 @@ pub struct ChromaticClaims {
     pub surface_moments: Option<Vec<[f64; 3]>>,
     /// How far quadrature may put those of scattering off, relative to each: slack of every claim that rests on them.
     pub moments_error: f64,
+    /// Weights are those of the balance heuristic of `mixture`, f_k(t) / sum of q_c p_c(t), and so a function of t.
+    pub balanced: bool,
 }
 
 /// A channel of a chromatic medium, as a chromatic sampler sees it.

@@ -27,6 +27,7 @@ pub const CHECKS: &[Check] = &[
     roulette::CHECK,
     zero_variance::CHECK,
     counts::CHECK,
+    check::WEIGHT_IDENTITY,
     density::CHECK,
 ];
 

@@ -11,6 +11,7 @@ mod subject;
 mod support;
 mod unit_weight;
 mod vacuum;
+mod weight_identity;
 
 pub use audit::CHECK as AUDIT;
 pub use equal_blocks::CHECK as EQUAL_BLOCKS;
@@ -23,6 +24,7 @@ pub use subject::CHECK as SUBJECT;
 pub use support::CHECK as SUPPORT;
 pub use unit_weight::CHECK as UNIT_WEIGHT;
 pub use vacuum::CHECK as VACUUM;
+pub use weight_identity::CHECK as WEIGHT_IDENTITY;
 
 /// The record of a check, in the check's own file: all that is told of it elsewhere is read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -48,6 +48,7 @@ mod summary;
 mod ties;
 mod unit_weight;
 mod vacuum;
+mod weight_identity;
 mod weighted_law;
 mod withdrawal;
 
@@ -87,6 +88,7 @@ pub use summary::{StepOrder, Summary};
 pub use ties::{TiesClaim, Written};
 pub use unit_weight::UnitWeightClaim;
 pub use vacuum::Vacuum;
+pub use weight_identity::WeightIdentityClaim;
 pub use weighted_law::WeightedLawClaim;
 pub use withdrawal::Withdrawal;
 

@@ -31,6 +31,7 @@ mod unit_weight;
 mod wealth;
 mod weighed;
 mod weight;
+mod weight_identity;
 
 pub use auxiliary::Auxiliary;
 pub use batched::{BatchPart, Batched};
@@ -55,6 +56,7 @@ pub use unit_weight::UnitWeight;
 pub use wealth::WealthSums;
 pub use weighed::Weighed;
 pub use weight::{WeightPart, WeightSums, Weights};
+pub use weight_identity::{WeighedRows, WeightIdentity, WeightsOf};
 
 /// Counts that merge in any order.
 pub trait Merge {

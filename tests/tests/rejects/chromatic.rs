@@ -16,6 +16,7 @@ struct Weights {
     inner: AnyChromatic,
     change: fn(f64, f64) -> f64,
     pdf: f64,
+    balanced: bool,
 }
 
 impl ChromaticSampler for Weights {
@@ -29,14 +30,23 @@ impl ChromaticSampler for Weights {
         self.inner.pdf(channels, t).map(|pdf| pdf * self.pdf)
     }
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
-        self.inner.claims(channels)
+        ChromaticClaims { balanced: self.balanced, ..self.inner.claims(channels) }
     }
 }
 
 pub(crate) fn of_weights(change: fn(f64, f64) -> f64, pdf: f64) -> Judgement {
+    judged(change, pdf, false)
+}
+
+/// Where the weights are claimed to be a function of the distance.
+pub(crate) fn of_balanced(change: fn(f64, f64) -> f64) -> Judgement {
+    judged(change, 1.0, true)
+}
+
+fn judged(change: fn(f64, f64) -> f64, pdf: f64, balanced: bool) -> Judgement {
     let channels = Chromatic::new(vec![0.4, 1.1, 3.0], vec![0.3, 1.0, 1.5], LENGTH).expect("channels");
     let inner = serde_json::from_str(r#"{ "balance": {} }"#).expect("a sampler");
-    let sampler = Weights { inner, change, pdf };
+    let sampler = Weights { inner, change, pdf, balanced };
     let experiment = freepath_tests::chromatic(&sampler, channels.medium());
     let subject = Subject::new(&experiment);
     judgement(&Subject { draws: 400_000, ..subject }, 5)

@@ -1,7 +1,7 @@
 //! A mutant for every test, and what must pass.
 
 use crate::by_design::by_design;
-use crate::chromatic::{chromatic, of_weights};
+use crate::chromatic::{chromatic, of_balanced};
 use crate::estimates::{changed, estimates, of_estimate};
 use crate::joint::{Resumed, Twice, WithAuxiliary};
 use crate::laws::laws;
@@ -71,7 +71,7 @@ fn the_right_ones_pass() {
     let exact = Sampler { draw: in_part, claims: |_| FreePathClaims::default() };
     let exact = of_path(&exact, 400_000);
     let estimate = of_estimate(&changed(|path, _| path), 400_000);
-    let weights = of_weights(|_, _| 1.0, 1.0);
+    let weights = of_balanced(|_, _| 1.0);
     let marked = of_path(&WithAuxiliary(|_, u| u), 400_000);
     for judgement in [exact, estimate, weights, marked] {
         assert_eq!(judgement.decision.verdict, Verdict::Pass, "{:?}", judgement.decision);

@@ -1,6 +1,6 @@
 //! Facts that fail without any p-value.
 
-use crate::chromatic::of_weights;
+use crate::chromatic::{of_balanced, of_weights};
 use crate::path::{Draw, LENGTH, MU, medium, of_path, path, right, sampler};
 use freepath_draws::random::{exponential, uniform};
 use freepath_estimators::medium::BoxSpike;
@@ -40,6 +40,12 @@ fn facts_fail_at_once() {
     );
     fails(Reason::SubjectError, &of_path(&sampler(|_, _| panic!("a planted panic")), 1));
     fails(Reason::NonFinite, &of_weights(|_, u| if u < 1e-3 { f64::INFINITY } else { 1.0 }, 1.0));
+}
+
+/// One draw in a thousand has a weight that is a little off: no mean and no law would show it.
+#[test]
+fn weights_that_are_not_those_of_their_distance_fail() {
+    fails(Reason::WrongLaw, &of_balanced(|_, u| if u < 1e-3 { 1.0 + 1e-6 } else { 1.0 }));
 }
 
 /// A right sampler that knows no infinity is told so, and its law is judged with what it writes counted as escapes.

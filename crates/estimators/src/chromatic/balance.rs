@@ -83,10 +83,11 @@ impl ChromaticSampler for Balance {
 
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
         let q = self.probabilities.all(channels.len());
-        mixture::claims(channels, &q, &|f, t, order| {
+        let moments = |f: f64, t: f64, order| {
             let pdf = mixture::pdf(channels, &q, t);
             pdf * mixture::even_power(f / pdf, order)
-        })
+        };
+        ChromaticClaims { balanced: true, ..mixture::claims(channels, &q, &moments) }
     }
 
     fn capabilities(&self) -> Vec<Capability> {

@@ -158,6 +158,7 @@ pub(super) fn claims(
         scatter_moments: Some(scattered.iter().map(|known| known.map(|m| m.value)).collect()).filter(finite),
         surface_moments: Some(channels.iter().map(surface).collect()).filter(finite),
         moments_error: scattered.iter().flatten().map(relative).fold(0.0, larger),
+        balanced: false,
     }
 }
 

@@ -124,14 +124,16 @@ impl ChromaticSampler for SingleChannel {
 
     fn claims(&self, channels: &[Channel]) -> ChromaticClaims {
         let q = self.mixture(channels.len());
-        mixture::claims(channels, &q, &|f, t, order| {
+        let moments = |f: f64, t: f64, order| {
             let drawn = channels.iter().zip(&q).filter(|&(_, &q)| q > 0.0);
             let term = |(channel, q): (&Channel, &f64)| {
                 let pdf = mixture::density(channel, t);
                 q * pdf * mixture::even_power(f / pdf, order)
             };
             drawn.map(term).sum()
-        })
+        };
+        let always = q.iter().filter(|&&q| q > 0.0).count() == 1;
+        ChromaticClaims { balanced: always, ..mixture::claims(channels, &q, &moments) }
     }
 
     fn capabilities(&self) -> Vec<Capability> {

@@ -21,6 +21,8 @@ use freepath_statistics::{Grain, Law};
 use freepath_statistics::tally::{Bins, Flanks, Scores};
 use std::sync::Arc;
 
+mod identity;
+
 /// The most that quadrature may leave of the moments, relative to each, for a variance by formula to be one.
 const MOST_LEFT: f64 = 1e-9;
 
@@ -44,6 +46,9 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     Events::rows(medium.media().len(), &mut claims);
     if let Some(mass) = source.sampler().filter(|_| known).and_then(|sampler| mass(sampler, medium)) {
         claims.push(PdfIntegral { mass, over: "the ray and its end" });
+    }
+    if let Some(mixture) = said.mixture.as_deref().filter(|_| known && said.balanced) {
+        identity::claim(medium, mixture, terms, &mut claims);
     }
     if let Some(events) = events {
         events.means(terms, &mut claims);
