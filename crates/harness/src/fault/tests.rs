@@ -7,6 +7,7 @@ use crate::subject::BLOCK;
 use freepath_draws::{Draws, Key, Numbers, NumbersMut, column};
 use std::path::Path;
 
+mod bins;
 mod refusals;
 
 const A: &str = r#"{ "constant": { "mu": 1.0, "length": 2.0 } }"#;

@@ -29,8 +29,8 @@ pub(super) struct EventMean {
     pub(super) moments_error: f64,
     /// Nothing says that the weights have a variance: no formula for the event, nor for any scattering.
     pub(super) keeps_tail: bool,
-    /// The share of the event in all that the channel expects.
-    pub(super) share: f64,
+    /// All that the channel expects, of every event together.
+    pub(super) whole: f64,
     /// Of scattering: the law of the distance under the weights.
     pub(super) law: Option<WeightedLaw>,
 }
@@ -82,11 +82,11 @@ impl Events {
     /// Each event has its mean and, where a formula is known, its second moment; scattering a law as well.
     pub(super) fn means(self, terms: &Terms, claims: &mut Claims) {
         for (event, sums) in self.means.into_iter().zip(self.sums) {
-            let EventMean { channel, share, law, .. } = &event;
-            let (channel, share, law) = (*channel, *share, law.clone());
+            let EventMean { channel, whole, mean: MeanClaim { expected: scattered, .. }, .. } = event;
+            let law = event.law.clone();
             event.claim(sums, terms, claims);
             if let (Some(law), Some(weighed)) = (law, self.weighed) {
-                claims.push(WeightedLawClaim { channel, law, sums: weighed, scatter: sums, share });
+                claims.push(WeightedLawClaim { channel, law, sums: weighed, scatter: sums, scattered, whole });
             }
         }
     }
@@ -94,11 +94,11 @@ impl Events {
 
 impl EventMean {
     fn claim(self, sums: FoldId<EventSums>, terms: &Terms, claims: &mut Claims) {
-        let Self { channel, event, name, mean, moments, moments_error: error, share, .. } = self;
+        let Self { channel, event, name, mean, moments, moments_error: error, whole, .. } = self;
         let (second, bounded) = (format!("second_moment_{name}"), format!("bounded_mean_{name}"));
         let fold = Batched::event(column::channel(channel), T, event);
         batches::mean((&name, Reason::Biased), Moments::Event(sums), fold, mean, terms, claims);
-        claims.push(EventClaim { name, channel, event, mean, share, sums });
+        claims.push(EventClaim { name, channel, event, mean, whole, sums });
         if bounds(&mean) && terms.stands(Withdrawal::Independent) {
             let column = column::channel(channel);
             let fold = |portfolio| WealthSums { column, event: Some((T, event)), portfolio };

@@ -172,6 +172,7 @@ fn measures(subject: &Subject) -> Vec<String> {
         lines.push(name + &sentences.remove(0).replacen("The mean", "the mean", 1));
         lines.extend(channel.mean.grown.as_ref().and(sentences.pop()));
     }
+    lines.extend(result.weighted_laws.iter().take(MOST).map(words::weighted_law));
     let time = subject.seconds.map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
     lines.push(words::audit(subject) + &time);
     lines

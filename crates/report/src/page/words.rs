@@ -4,7 +4,7 @@ use crate::number::{count, short};
 use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{
-    Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, TestResult, Verdict,
+    Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, TestResult, Verdict, WeightedLawResult,
 };
 
 /// The letter of a verdict in the matrix.
@@ -129,6 +129,16 @@ pub(crate) fn law(law: &LawResult) -> Vec<String> {
     ];
     let more = [detectable(law), law.grown.as_ref().map(grown)];
     found.into_iter().chain(more.into_iter().flatten()).collect()
+}
+
+/// The law of the distance under the weights of a channel.
+pub(crate) fn weighted_law(law: &WeightedLawResult) -> String {
+    format!(
+        "Under the weights of channel {} the largest gap between the draws and its law is {}; the law may be off by as much as {}.",
+        law.channel,
+        short(law.distance.0),
+        short(law.bound.0)
+    )
 }
 
 /// The smallest errors of two plain kinds that would have been seen.

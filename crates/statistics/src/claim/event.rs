@@ -17,8 +17,8 @@ pub struct EventClaim {
     pub event: Event,
     /// E[w; event].
     pub mean: MeanClaim,
-    /// Its share in all that the channel expects.
-    pub share: f64,
+    /// All that the channel expects, of every event together.
+    pub whole: f64,
     /// The sums.
     pub sums: FoldId<EventSums>,
 }
@@ -44,7 +44,7 @@ impl Claim for EventClaim {
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         let (sums, mut own) = (power_sums(tallies, self.sums), Judged::default());
         judge_mean(&self.name, &sums, &self.mean, &mut own);
-        if unseen(self.share, sums.n) {
+        if self.leaves_little(&sums) {
             own.gates.retain(|(reason, _)| *reason != Reason::RareEvent);
         }
         into.gates.append(&mut own.gates);
@@ -62,6 +62,15 @@ impl Claim for EventClaim {
         let detectable = detectable_mean(&sums, &self.mean, &into.detection);
         let mean = with_interval(&self.mean, &sums, &interval, detectable);
         into.channels.push(ChannelResult { channel: self.channel, event: event.into(), mean });
+    }
+}
+
+impl EventClaim {
+    /// True if the event, or all but the event, is too rare to be asked for, and the mean is off by no more than that.
+    fn leaves_little(&self, sums: &PowerSums) -> bool {
+        let few = |mean: f64| unseen(mean, self.whole, sums.n);
+        let expected = self.mean.expected;
+        (few(expected) || few(self.whole - expected)) && few((sums.bias() + sums.center - expected).abs())
     }
 }
 

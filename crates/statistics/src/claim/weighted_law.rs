@@ -16,8 +16,10 @@ pub struct WeightedLawClaim {
     pub sums: FoldId<Weighed>,
     /// The sums over all that scatters, which tell the tail of the weights.
     pub scatter: FoldId<EventSums>,
-    /// The share of scattering in all that the channel expects.
-    pub share: f64,
+    /// E[w] where it scatters.
+    pub scattered: f64,
+    /// All that the channel expects, the end of the ray as well.
+    pub whole: f64,
 }
 
 /// Parts of the ray, broad and narrow.
@@ -53,7 +55,7 @@ impl Claim for WeightedLawClaim {
         };
         let [broad, narrow] = PARTS.map(test);
         let signed = sums.negative[self.channel] > 0;
-        if broad.p.is_none() && !signed && !unseen(self.share, sums.rows) {
+        if broad.p.is_none() && !signed && !unseen(self.scattered, self.whole, sums.rows) {
             let reason = untamed.map_or(Reason::NotEnoughDraws, |(reason, _)| reason);
             into.gates.push((reason, format!("{}: {}", broad.name, broad.note)));
         }
@@ -77,7 +79,7 @@ impl Claim for WeightedLawClaim {
 /// parts are judged: so many draws could not tell it from nothing, and more of them would not be asked for where the weights are all 1.
 const FEWEST_DUE: f64 = 200.0;
 
-/// True if an event that makes this share of what a channel expects is too rare to be asked for among so many draws.
-pub(super) fn unseen(share: f64, draws: u64) -> bool {
-    share * (draws as f64) < FEWEST_DUE
+/// True if so much of `whole` is too little to be asked for among so many draws.
+pub(super) fn unseen(part: f64, whole: f64, draws: u64) -> bool {
+    part * (draws as f64) < FEWEST_DUE * whole
 }

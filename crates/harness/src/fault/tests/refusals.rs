@@ -1,6 +1,6 @@
 //! A fault is refused where it does not fit.
 
-use super::{A, B, C, D, DELTA, G, REGULAR, case};
+use super::{A, B, C, D, DELTA, G, RATIO, REGULAR, case};
 use crate::case::{CaseFile, Limits};
 use std::path::Path;
 
@@ -57,6 +57,9 @@ fn a_fault_is_refused_where_it_does_not_fit() {
     refused(A, DELTA, r#""loose_majorant": { "times": 0.5 }"#, "finite and at least 1, not 0.5");
     refused(A, DELTA, r#""zero_step": { "bits": 60 }"#, "8 to 52, not 60");
     refused(A, DELTA, r#""hero_nulls": {}"#, "the weights of channels, and there are none");
+    refused(A, RATIO, r#""bin_centre": { "bins": 8 }"#, "over distances, and ratio_tracking makes none here");
+    refused(A, DELTA, r#""exchanged_weights": { "bins": 8 }"#, "the weights of channels, and there are none");
+    refused(G, BALANCE, r#""exchanged_weights": { "bins": 0 }"#, "1 to 65536, not 0");
     refused(G, BALANCE, r#""missing_scale": { "factor": 2.0 }"#, "one extinction along a ray, and there is none");
     refused(G, BALANCE, r#""channel_pdf": { "channel": 3 }"#, "no channel 3");
     let always = r#""chromatic": { "single_channel": { "channel": 1 } }"#;

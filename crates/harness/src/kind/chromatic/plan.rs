@@ -178,7 +178,7 @@ impl Means<'_> {
             moments,
             moments_error: said.moments_error,
             keeps_tail: moments.is_none() && (event == Event::Surface || said.scatter_moments.is_none()),
-            share: expected / (weighing.between(0.0, weighing.length) + (weighing.survival)(weighing.length)),
+            whole: weighing.between(0.0, weighing.length) + (weighing.survival)(weighing.length),
             law: None,
         }
     }

@@ -47,7 +47,7 @@ fn means(ray: Ray, weighing: &Weighing, bins: Option<&Bins>, terms: &Terms) -> V
         moments: None,
         moments_error: 0.0,
         keeps_tail: true,
-        share: expected,
+        whole: 1.0,
         law: bins.filter(|_| event == Event::Scatter).and_then(|bins| weighing.law(bins, slack)),
     };
     let part = |(part, edges): (usize, &[f64])| {
