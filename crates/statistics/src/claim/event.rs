@@ -1,5 +1,4 @@
 use super::mean::{condition, judge_mean, with_interval};
-use super::weighted_law::unseen;
 use super::{Claim, Summary, Withdrawal};
 use crate::fold::{Event, EventSums, FoldId, Tallies};
 use crate::hypothesis::{self, MeanClaim, detectable_mean};
@@ -77,4 +76,13 @@ impl EventClaim {
 /// The sums of an event, with the shape of their tail if that was kept.
 pub(super) fn power_sums(tallies: &Tallies, event: FoldId<EventSums>) -> PowerSums {
     tallies.sums(event).with_tail(tallies.counts(event).as_ref())
+}
+
+/// Fewest draws whose weight an event must expect for its rareness to leave a law open. One that expects less is part of a law whose other
+/// parts are judged: so many draws could not tell it from nothing, and more of them would not be asked for where the weights are all 1.
+const FEWEST_DUE: f64 = 200.0;
+
+/// True if so much of `whole` is too little to be asked for among so many draws.
+pub(super) fn unseen(part: f64, whole: f64, draws: u64) -> bool {
+    part * (draws as f64) < FEWEST_DUE * whole
 }

@@ -1,4 +1,4 @@
-use super::event::power_sums;
+use super::event::{power_sums, unseen};
 use super::{Claim, Summary, Withdrawal};
 use crate::evidence::{Evidence, REPORTING_LEVEL};
 use crate::fold::{EventSums, FoldId, Tallies, Weighed};
@@ -73,13 +73,4 @@ impl Claim for WeightedLawClaim {
             bound: Real(bound),
         });
     }
-}
-
-/// Fewest draws whose weight an event must expect for its rareness to leave a law open. One that expects less is part of a law whose other
-/// parts are judged: so many draws could not tell it from nothing, and more of them would not be asked for where the weights are all 1.
-const FEWEST_DUE: f64 = 200.0;
-
-/// True if so much of `whole` is too little to be asked for among so many draws.
-pub(super) fn unseen(part: f64, whole: f64, draws: u64) -> bool {
-    part * (draws as f64) < FEWEST_DUE * whole
 }
