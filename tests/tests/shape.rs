@@ -20,6 +20,7 @@ const CASES: &[(&str, u64)] = &[
     ("chromatic", 16_384),
     ("chromatic_five", 16_384),
     ("density", 16_384),
+    ("discrete", 16_384),
     ("number", 16_384),
     ("samples", 16_384),
     ("thin", 16_384),
@@ -35,6 +36,7 @@ const CASES: &[(&str, u64)] = &[
     ("controls/split_products", 16_384),
     ("controls/uncut_segment", 16_384),
     ("controls/zero_step", 16_384),
+    ("controls/zero_weight_drawn", 16_384),
 ];
 
 /// The names of a run, as text: subjects first, then the keys of everything.

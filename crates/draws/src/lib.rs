@@ -19,6 +19,7 @@
 
 mod channel_columns;
 pub mod column;
+mod compensated_sum;
 mod draws;
 pub mod math;
 mod path_columns;
@@ -29,6 +30,7 @@ pub mod simd;
 
 pub use channel_columns::ChannelColumns;
 pub use column::{Column, ColumnKind};
+pub use compensated_sum::CompensatedSum;
 pub use draws::{Draws, MissingColumn, Numbers, NumbersMut, Shape};
 pub use path_columns::PathColumns;
 pub use random::{Key, Streams};

@@ -36,6 +36,10 @@ pub enum Capability {
     ChannelMixture,
     /// Divides its weights by the density of the mixture of all channels (the balance heuristic).
     BalanceHeuristic,
+    /// Inverts a table of cumulative probabilities: the first entry above the uniform is the category.
+    CumulativeTable,
+    /// Picks a cell of an alias table, and in it the category or its alias.
+    AliasTable,
 }
 
 impl Capability {
@@ -56,6 +60,8 @@ impl Capability {
             Self::Collisions => "count their tentative collisions",
             Self::ChannelDensity => "divide by the density of the channel that was drawn",
             Self::ChannelMixture => "weigh by the densities of all channels",
+            Self::CumulativeTable => "invert a cumulative table",
+            Self::AliasTable => "keep an alias table",
             Self::BalanceHeuristic => "divide by the density of the mixture of channels",
         }
     }

@@ -1,7 +1,9 @@
 //! The list of the checks that find facts. A test has a list beside it, in `freepath_statistics`; `docs/statistics.md` has a
 //! section for each of both.
 
-use crate::identities::{composition, counts, density, history, medium, reproducible, roulette, zero_variance};
+use crate::identities::{
+    composition, counts, density, history, medium, reproducible, roulette, table, zero_variance,
+};
 use crate::scripted;
 use freepath_statistics::check::{self, Check};
 
@@ -29,6 +31,7 @@ pub const CHECKS: &[Check] = &[
     counts::CHECK,
     check::WEIGHT_IDENTITY,
     density::CHECK,
+    table::CHECK,
 ];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Planted faults: data laid over the majorants, the look-ups, the uniforms or the draws of any subject, so that no broken
+//! Planted faults: data laid over the majorants, the look-ups, the tables, the uniforms or the draws of any subject, so that no broken
 //! estimator is ever shipped as one. `docs/faults.md` says where they were found.
 
 use freepath_results::Reason;
@@ -16,6 +16,7 @@ mod layer;
 mod lookups;
 mod majorants;
 mod overlay;
+mod tables;
 mod target;
 mod uniforms;
 mod walk;
@@ -117,6 +118,11 @@ faults! {
     channels::hero_nulls::HeroNulls: "null collisions by the sampling channel's probability alone",
     channels::exchanged_weights::ExchangedWeights: "the weights of a draw are handed to the next one of its bin",
     channels::dropped_channel::DroppedChannel: "a transparent channel is never drawn",
+    tables::zero_weight_drawn::ZeroWeightDrawn: "a uniform of just a cumulative probability belongs to the category before it",
+    tables::unnormalised_alias::UnnormalisedAlias: "the alias table is made of weights that were not divided by their sum",
+    tables::broken_alias::BrokenAlias: "the pairing of an alias table ends at the first tie",
+    tables::shifted_alias::ShiftedAlias: "aliases are off by one",
+    tables::swapped_alias::SwappedAlias: "the alias of a cell is taken for its own category",
     draws::same_seed::SameSeed: "workers share a seed",
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",
     draws::nan_draw::NanDraw: "one walk of so many gives NaN",

@@ -14,6 +14,7 @@
 //! | `identity_zero_variance` | no noise where the claims say that there is none |
 //! | `identity_counts` | one tentative collision for each real one where every one is real |
 //! | `identity_pdf` | the density that a sampler returns is that of its claims |
+//! | `identity_table` | the table that a sampler keeps holds the probabilities of the scene |
 //!
 //! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
 
@@ -31,6 +32,7 @@ mod rays;
 pub(crate) mod reproducible;
 pub(crate) mod roulette;
 mod rows;
+pub(crate) mod table;
 pub(crate) mod zero_variance;
 
 pub(crate) use composition::composition;
@@ -40,6 +42,7 @@ pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
 pub(crate) use roulette::roulette;
 pub(crate) use roulette::roulette_of;
+pub(crate) use table::table;
 pub(crate) use zero_variance::zero_variance;
 
 /// Every identity that `subject` violates: those of its scene, those that hold for all, those of its kind.

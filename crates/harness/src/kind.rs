@@ -45,6 +45,8 @@ kinds! {
     density::Density,
     /// A sampler of directions about a normal.
     direction::Direction,
+    /// A sampler of a category.
+    discrete::Discrete,
 }
 
 /// The kind that a sampler's trait belongs to.

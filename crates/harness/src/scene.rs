@@ -79,6 +79,7 @@ macro_rules! scenes {
 scenes! {
     density_1d::Density1d,
     directions::Directions,
+    discrete::Discrete,
     number::Number,
 }
 

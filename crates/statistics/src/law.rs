@@ -2,6 +2,8 @@
 
 use crate::grain::Grain;
 
+mod counts;
+
 /// Fewest fine cells; always an odd number, so that no midpoint of a step rule falls on an edge.
 const FEWEST_CELLS: usize = (1 << 14) + 1;
 /// Of an equal share, the least that a group holds: what chi-square expects of a cell relies on it.
@@ -19,6 +21,8 @@ pub struct Law {
     survival: Vec<f64>,
     slack: f64,
     grain: Grain,
+    /// Each cell holds one number alone, so that nothing is hidden between its edges.
+    counts: bool,
 }
 
 /// Neighbouring fine cells taken together: cell `i` of the group holds the fine cells `bounds[i]..bounds[i + 1]`.
@@ -78,7 +82,7 @@ impl Law {
             if k == cells { length } else { length * k as f64 / cells as f64 }
         };
         let survival = (0..=cells).map(|k| survival(edge(k))).collect();
-        Self { length, scale: cells as f64 / length, survival, slack, grain: Grain::default() }
+        Self { length, scale: cells as f64 / length, survival, slack, grain: Grain::default(), counts: false }
     }
 
     /// Length of the ray.

@@ -2,6 +2,7 @@
 
 use crate::by_design::by_design;
 use crate::chromatic::{chromatic, of_balanced};
+use crate::discrete::discrete;
 use crate::estimates::{changed, estimates, of_estimate};
 use crate::joint::{Resumed, Twice, WithAuxiliary};
 use crate::laws::laws;
@@ -29,8 +30,10 @@ fn caught(test: &str, reason: Reason, judgement: &Judgement) -> Option<String> {
 
 #[test]
 fn every_test_rejects_a_mutant() {
-    let all: Vec<_> =
-        [laws(), walks(), order(), estimates(), chromatic(), by_design()].into_iter().flatten().collect();
+    let all: Vec<_> = [laws(), walks(), order(), estimates(), chromatic(), by_design(), discrete()]
+        .into_iter()
+        .flatten()
+        .collect();
     let missed: Vec<_> =
         all.iter().filter_map(|(test, reason, judgement)| caught(test, *reason, judgement)).collect();
     assert!(missed.is_empty(), "{}", missed.join("\n"));

@@ -5,6 +5,7 @@ mod by_design;
 mod chromatic;
 mod density;
 mod direction;
+mod discrete;
 mod estimates;
 mod every_test;
 mod facts;

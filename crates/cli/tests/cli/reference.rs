@@ -95,8 +95,10 @@ fn every_example_can_be_run() {
 #[test]
 fn every_fault_can_be_planted_as_its_example_says() {
     let folder = folder("faults");
-    let cells = json!({ "piecewise_constant": { "edges": [0.0, 0.75, 2.0], "values": [3.0, 5.0] } });
-    let channels = json!({ "chromatic": { "sigma_t": [0.0, 1.0], "sigma_s": [0.0, 0.0], "length": 2.0 } });
+    let cells = json!({ "medium": { "piecewise_constant": { "edges": [0.0, 0.75, 2.0], "values": [3.0, 5.0] } } });
+    let channels =
+        json!({ "medium": { "chromatic": { "sigma_t": [0.0, 1.0], "sigma_s": [0.0, 0.0], "length": 2.0 } } });
+    let weights = json!({ "scene": { "discrete": { "weights": [2, 1] } } });
     let grey = [
         json!({ "free_path": { "delta_tracking": {} } }),
         json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
@@ -104,12 +106,15 @@ fn every_fault_can_be_planted_as_its_example_says() {
         json!({ "transmittance": { "residual_ratio_tracking": { "control": "mean" } } }),
     ];
     let chromatic = [json!({ "chromatic": { "balance": {} } }), json!({ "chromatic": { "single_channel": {} } })];
+    let tables = [json!({ "discrete": { "alias": {} } }), json!({ "discrete": { "cdf_search": {} } })];
     let places = grey.iter().map(|subject| (&cells, subject));
-    let places: Vec<_> = places.chain(chromatic.iter().map(|subject| (&channels, subject))).collect();
+    let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
+    let places: Vec<_> = places.chain(tables.iter().map(|subject| (&weights, subject))).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
-        let fits = places.iter().any(|(medium, subject)| {
-            let mut case = json!({ "title": "A fault", "medium": medium, "subjects": [subject] });
+        let fits = places.iter().any(|(scene, subject)| {
+            let mut case = json!({ "title": "A fault", "subjects": [subject] });
+            case.as_object_mut().unwrap().extend(scene.as_object().unwrap().clone());
             case["subjects"][0]["fault"] = fault["fault"].clone();
             put(&folder, "fault.json", &case.to_string());
             run(&folder, &["run", "fault.json", "--draws", "1", "--quiet"]).0 != 2

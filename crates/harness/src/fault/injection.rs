@@ -1,5 +1,6 @@
 use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
+use freepath_estimators::discrete::Tables;
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// The injections of a fault in each place where one can be laid; provided: none.
@@ -28,6 +29,11 @@ pub(crate) trait Injection: Send + Sync {
     /// The majorants that the subject is given in place of `majorants`: the audit checks it against these.
     fn alter_majorants(&self, _truth: &dyn Medium, majorants: Majorants) -> Majorants {
         majorants
+    }
+
+    /// The tables that the subject is given in place of those made of `weights`.
+    fn alter_tables(&self, _weights: &[f64], tables: Tables) -> Tables {
+        tables
     }
 
     /// Changes what the subject sees of the ray beside mu.

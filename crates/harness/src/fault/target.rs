@@ -51,7 +51,7 @@ impl Target<'_> {
             }
             (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, Some(_), _)
             | (Layer::Channels, _, Some(_))
-            | (Layer::Draws, ..) => Ok(()),
+            | (Layer::Tables | Layer::Draws, ..) => Ok(()),
         }
     }
 

@@ -13,7 +13,7 @@ chromatic sampler the mixture that it claims, at every distance and at the surfa
 ```text
 pdf(t) = sum_c q_c mu_c exp(-mu_c t),   pdf(inf) = sum_c q_c exp(-mu_c length)   of channels
 ```
-To 1e-9 at 64 distances, at 1024 draws from a density, and at 1024 directions drawn and as many others, outside the support, too.
+To 1e-9 at 64 distances, at 1024 draws from a density or of a category, and at 1024 directions drawn and as many others, outside the support, too.
 Gives wrong_law.",
     section: "identity_pdf",
 };
@@ -45,4 +45,11 @@ pub(crate) fn density(sampler: &dyn ChromaticSampler, medium: &ChromaticMedium, 
         let words = format!("the pdf at t = {t} is {pdf:e}, that of the claimed mixture {due:e}");
         (!holds).then(|| Fact::new(CHECK.name, Reason::WrongLaw, words))
     })
+}
+
+/// The fact against the density, or the probability, that was told of `what`, if it is not the one that is `due`.
+pub(crate) fn told(what: &str, pdf: f64, due: f64, tolerance: f64) -> Option<Fact> {
+    let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due + tolerance;
+    let words = || format!("the pdf at {what} is {pdf:e}, that of the scene {due:e}");
+    (!holds).then(|| Fact::new(CHECK.name, Reason::WrongLaw, words()))
 }

@@ -8,7 +8,6 @@ use freepath_draws::random::uniform;
 use freepath_draws::{Draws, Row, Streams};
 use freepath_estimators::density::{AnyDensity, Drawn, PDF, Target, X, write};
 use freepath_estimators::{Capability, DensitySampler, MajorantChoice, ParameterError};
-use freepath_results::Reason;
 use freepath_statistics::Fact;
 use std::sync::Arc;
 
@@ -25,8 +24,6 @@ pub struct Density;
 
 /// Rows whose densities are held against that of the scene.
 const ROWS: usize = 1024;
-/// Relative error of a density.
-const ROUNDING: f64 = 1e-9;
 
 impl Kind for Density {
     const NAME: &'static str = "density";
@@ -124,9 +121,7 @@ fn wrong_pdf(target: &Target, draws: &Draws, tolerance: f64) -> Option<Fact> {
     let (x, pdf) = (draws.f64(X).ok()?, draws.f64(PDF).ok()?);
     x.iter().zip(pdf).find_map(|(&x, &pdf)| {
         let due = target.pdf(x)?;
-        let holds = pdf >= 0.0 && pdf < f64::INFINITY && (pdf - due).abs() <= ROUNDING * due + tolerance;
-        let words = format!("the pdf at x = {x} is {pdf:e}, that of the scene {due:e}");
-        (!holds).then(|| Fact::new(identities::density::CHECK.name, Reason::WrongLaw, words))
+        identities::density::told(&format!("x = {x}"), pdf, due, tolerance)
     })
 }
 

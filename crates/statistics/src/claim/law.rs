@@ -15,7 +15,7 @@ mod growth;
 mod hint;
 mod life_table;
 mod result;
-mod series;
+pub(super) mod series;
 
 pub use life_table::worst;
 pub(super) use result::law_result;

@@ -33,7 +33,7 @@ impl<C: Claim> Claim for SecondRank<C> {
     }
 }
 
-/// The two ranks of a row are uniform on the square, and so independent: [`joint_rank`] is uniform.
+/// The two ranks of a row are uniform on the square, and so independent: one number made of both, such as [`joint_rank`], is uniform.
 pub struct JointRanks {
     /// The uniform law.
     pub law: Arc<Law>,
@@ -41,6 +41,8 @@ pub struct JointRanks {
     pub cells: FoldId<Cells>,
     /// The reason that a rejection gives.
     pub reason: Reason,
+    /// What is claimed, in words.
+    pub words: &'static str,
 }
 
 /// Strips of the first rank.
@@ -57,7 +59,7 @@ pub fn joint_rank(first: f64, second: f64) -> f64 {
 
 impl Claim for JointRanks {
     fn statement(&self) -> Option<ClaimResult> {
-        Some(ClaimResult::new("joint_ranks", "the two ranks of a draw are uniform on the square"))
+        Some(ClaimResult::new("joint_ranks", self.words))
     }
 
     fn withdrawn_by(&self) -> &'static [Withdrawal] {

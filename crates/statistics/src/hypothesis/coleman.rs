@@ -1,4 +1,5 @@
-use super::poisson_count::{pmf, pooled};
+use super::poisson_count::pmf;
+use super::pooled::pooled;
 use super::record::Test;
 use crate::evidence::{Alone, Evidence, NullClass};
 use crate::law::Law;

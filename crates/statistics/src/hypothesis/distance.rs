@@ -31,8 +31,9 @@ pub fn sup_distance(law: &Law, tally: &CellTally, among: Among) -> Bracket {
     for (k, &count) in tally.cells.iter().enumerate() {
         let (start, end) = (law.mass_between(0, k) / whole, law.mass_between(0, k + 1) / whole);
         let (before, after) = (below as f64 / n, (below + count) as f64 / n);
-        low = larger(low, (after - end).abs());
-        high = larger(high, larger(after - start, end - before));
+        let at_the_edge = (after - end).abs();
+        low = larger(low, at_the_edge);
+        high = larger(high, if law.is_of_counts() { at_the_edge } else { larger(after - start, end - before) });
         below += count;
     }
     Bracket { low, high }

@@ -1,9 +1,9 @@
 use super::record::Test;
 use super::{
     agree, along, anderson_darling, atom, auxiliary, batch_shares, batches, berk_jones, bounded_mean, breaks,
-    chi_square, coleman, cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean, neyman,
-    null_positions, order, pairs, pairs_far, pdf_integral, period, poisson_count, rare_lags, scan, second_moment,
-    series, ties, too_even, triples, weighted, whole_law,
+    chi_square, coleman, count_law, cramer_von_mises, exposure, growth, kolmogorov, kuiper, lag, lookups, mean,
+    neyman, null_positions, order, pairs, pairs_far, pdf_integral, period, poisson_count, rare_lags, scan,
+    second_moment, series, ties, too_even, triples, weighted, whole_law,
 };
 
 /// Every test, in the order in which they are told.
@@ -25,6 +25,7 @@ pub const TESTS: &[Test] = &[
     berk_jones::TEST,
     coleman::TEST,
     poisson_count::TEST,
+    count_law::TEST,
     ties::TEST,
     lag::TEST,
     lag::FURTHER,

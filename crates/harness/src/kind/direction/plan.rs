@@ -36,7 +36,8 @@ pub(super) fn plan<'a>(truth: &'a Arc<Directions>, source: &Source<'a, Direction
     batches::push(first, &mut claims);
     let second = batches::shares(&law, azimuth.index, reason, terms, &mut claims);
     batches::push(second.map(SecondRank), &mut claims);
-    claims.push(JointRanks { law: law.clone(), cells: joint.cells, reason });
+    let words = "the two ranks of a draw are uniform on the square";
+    claims.push(JointRanks { law: law.clone(), cells: joint.cells, reason, words });
     if let Some(sampler) = source.sampler() {
         claims.push(PdfIntegral { mass: pdf::mass(sampler, truth), over: "the sphere" });
     }

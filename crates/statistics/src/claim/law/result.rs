@@ -25,6 +25,9 @@ pub(in crate::claim) fn law_result(law: &Law, tally: &CellTally, detection: &Det
 
 /// The most that a distance may be above what is seen at the edges of the cells.
 fn hidden(law: &Law) -> f64 {
+    if law.is_of_counts() {
+        return 0.0;
+    }
     (0..law.cells()).map(|k| law.mass(k)).fold(0.0, larger)
 }
 

@@ -17,12 +17,13 @@ pub fn band(n: u64) -> f64 {
     (libm::log(2.0 / REPORTING_LEVEL) / (2.0 * n as f64)).sqrt()
 }
 
-/// Every so many fine cells, so that `parts` are left, the end included.
+/// Every so many fine cells, so that `parts` are left, the end included; each once if there are fewer.
 fn stops(cells: usize, parts: usize) -> Vec<usize> {
+    let parts = if cells < parts { cells } else { parts };
     (0..=parts).map(|i| i * cells / parts).collect()
 }
 
-pub(super) fn cdf(law: &Law, own: Option<&Law>, tally: &CellTally) -> CdfSeries {
+pub(in crate::claim) fn cdf(law: &Law, own: Option<&Law>, tally: &CellTally) -> CdfSeries {
     let n = tally.draws() as f64;
     let stops = stops(law.cells(), POINTS);
     let mut below = vec![0];
@@ -40,7 +41,7 @@ pub(super) fn cdf(law: &Law, own: Option<&Law>, tally: &CellTally) -> CdfSeries 
     }
 }
 
-pub(super) fn histogram(law: &Law, tally: &CellTally) -> HistogramSeries {
+pub(in crate::claim) fn histogram(law: &Law, tally: &CellTally) -> HistogramSeries {
     let n = tally.draws() as f64;
     let stops = stops(law.cells(), BARS);
     let width = |w: &[usize]| law.edge(w[1]) - law.edge(w[0]);
@@ -54,7 +55,7 @@ pub(super) fn histogram(law: &Law, tally: &CellTally) -> HistogramSeries {
     }
 }
 
-pub(super) fn residual(law: &Law, tally: &CellTally) -> Option<ResidualSeries> {
+pub(in crate::claim) fn residual(law: &Law, tally: &CellTally) -> Option<ResidualSeries> {
     let (groups, residual, escape) = residuals(law, tally, 64)?;
     let edges = groups.bounds.iter().map(|&k| Real(law.edge(k))).collect();
     Some(ResidualSeries { edges, residual: residual.into_iter().map(Real).collect(), escape })

@@ -1,0 +1,15 @@
+//! Faults laid over the tables that a program makes of its weights: the subject is driven by its block method.
+
+use super::Layer;
+
+pub(super) mod broken_alias;
+pub(super) mod shifted_alias;
+pub(super) mod swapped_alias;
+pub(super) mod unnormalised_alias;
+pub(super) mod zero_weight_drawn;
+
+/// The layer of every fault in this folder.
+pub(super) const LAYER: Layer = Layer::Tables;
+
+#[cfg(test)]
+mod tests;
