@@ -131,8 +131,11 @@ mod tests {
     use super::*;
     use freepath_draws::{Key, random};
 
+    /// A row, from uniforms.
+    type Value = fn(&mut dyn FnMut() -> f64) -> f64;
+
     /// Rows of several kinds: double, single precision, 16 bits, weights of 0.5^Poisson(4), 0/1.
-    const KINDS: [fn(&mut dyn FnMut() -> f64) -> f64; 5] = [
+    const KINDS: [Value; 5] = [
         |uniform| uniform(),
         |uniform| f64::from(uniform() as f32),
         |uniform| (uniform() * 65_536.0).floor(),
