@@ -9,6 +9,9 @@ use crate::site::Site;
 use crate::text::{clean, words};
 use freepath_results::MediumResult;
 
+/// Subjects from which on a page names only tests that tell: thirty or more of each would be no reading.
+const MANY: usize = 100;
+
 /// The section of a case.
 pub(crate) struct CaseView {
     pub(crate) id: String,
@@ -27,7 +30,8 @@ impl CaseView {
         let case = &site.cases[i];
         let none = vec![];
         let of = |member: usize| figures.subjects.get(member).unwrap_or(&none);
-        let view = |&m: &usize| Some(SubjectView::new(site.subjects.get(m)?, of(m), readings));
+        let brief = site.subjects.len() > MANY;
+        let view = |&m: &usize| Some(SubjectView::new(site.subjects.get(m)?, of(m), readings, brief));
         Self {
             id: case.id.clone(),
             number: case.number,

@@ -58,10 +58,11 @@ pub(crate) struct FactRow {
     pub(crate) words: String,
 }
 
-/// One test in one stage.
+/// One test in one stage, or several of no interest.
+#[derive(Default)]
 pub(crate) struct TestRow {
     pub(crate) name: String,
-    pub(crate) stage: u8,
+    pub(crate) stage: String,
     pub(crate) statistic: String,
     pub(crate) dof: String,
     pub(crate) p: String,
@@ -72,7 +73,8 @@ pub(crate) struct TestRow {
 }
 
 impl SubjectView {
-    pub(crate) fn new(subject: &Subject, figures: &[Drawn], readings: &[Reading]) -> Self {
+    /// With the tests that tell, if `brief`; the others are counted.
+    pub(crate) fn new(subject: &Subject, figures: &[Drawn], readings: &[Reading], brief: bool) -> Self {
         let result = subject.result;
         let why = if result.expected_by_design { " (computed from its claims)" } else { "" };
         let quiet = is_quiet(subject);
@@ -91,7 +93,7 @@ impl SubjectView {
             parameters: clean(&result.parameters.to_string(), 600),
             claims: result.claims.iter().take(MOST).map(|claim| clean(&claim.statement, 200)).collect(),
             facts: result.facts.iter().take(MOST).map(fact).collect(),
-            tests: tests(result).into_iter().map(test).collect(),
+            tests: rows(result, brief && result.as_expected),
             left_out: left_out(result),
             repro: clean(&result.repro, 1000),
             log: subject.log.lines().take(MOST_LINES).map(|line| clean(line, 1000)).collect(),
@@ -119,6 +121,25 @@ fn notes(result: &SubjectResult) -> Vec<String> {
 /// The tests that are shown: those that reject before all others.
 fn tests(result: &SubjectResult) -> Vec<&TestResult> {
     at_most(&result.tests, MOST, TestResult::rejects).into_iter().map(|i| &result.tests[i]).collect()
+}
+
+/// The rows of the tests; if `brief`, of those that tell, and one for all others.
+fn rows(result: &SubjectResult, brief: bool) -> Vec<TestRow> {
+    let (telling, silent): (Vec<_>, Vec<_>) = tests(result).into_iter().partition(|of| !brief || tells(of));
+    telling.into_iter().map(test).chain(others(&silent)).collect()
+}
+
+/// True of a test that rejects, that has no p-value, or one that gives cause for stage 2.
+fn tells(test: &TestResult) -> bool {
+    test.p.is_none_or(|p| !(p.0 > SUSPECT)) || test.rejects() || test.reported
+}
+
+/// One row for all tests of no interest.
+fn others(silent: &[&TestResult]) -> Option<TestRow> {
+    let least = silent.iter().filter_map(|test| test.p).map(|p| p.0).min_by(f64::total_cmp)?;
+    let name = if silent.len() == 1 { "1 other".into() } else { format!("{} others", silent.len()) };
+    let p = format!("{} or more", probability(least));
+    Some(TestRow { name, p, ..TestRow::default() })
 }
 
 fn left_out(result: &SubjectResult) -> String {
@@ -207,17 +228,16 @@ fn test(test: &TestResult) -> TestRow {
         TestResult { p: None, .. } => ("reported", "withheld"),
         _ => ("", ""), // the glossary says that it is not rejected
     };
-    // the note of a p-value that gives no cause for stage 2 tells of chance alone, and is left to results.json
-    let tells = test.p.is_none_or(|p| !(p.0 > SUSPECT)) || test.rejected || test.rejected_alone;
     TestRow {
         name: clean(&crate::text::words(&test.name), 60),
-        stage: test.stage,
+        stage: test.stage.to_string(),
         statistic: statistic(test),
         dof: shown(test.dof, short),
         p: chance(test.p),
         adjusted: chance(test.p_adjusted),
         class,
         decision,
-        note: if tells { clean(&test.note, 300) } else { String::new() },
+        // that of a p-value which gives no cause for stage 2 tells of chance alone, and is left to results.json
+        note: if tells(test) { clean(&test.note, 300) } else { String::new() },
     }
 }
