@@ -135,11 +135,28 @@ pub(super) fn weights(
         binary: false,
         range: declared.range.map(with_zero),
         variance: variance.map(|v| if v > 0.0 { v } else { 0.0 }),
-        skewness: probability.map(skewness),
+        skewness: probability.map(|p| skewness(p, expected, variance)),
     }
 }
 
-/// Skewness of an event that happens or not: its weights are about as skew, whether or not it is ever seen.
-fn skewness(p: f64) -> f64 {
-    (1.0 - 2.0 * p) / (p * (1.0 - p)).sqrt()
+/// Skewness of an event that happens or not: its weights are about as skew, whether or not it is ever seen, but for what they scatter besides.
+fn skewness(p: f64, expected: f64, variance: Option<f64>) -> f64 {
+    let (hit, chance) = (expected / p, p * (1.0 - p));
+    let share = variance.map_or(1.0, |variance| hit * hit * chance / variance);
+    let share = if share < 1.0 { share } else { 1.0 };
+    (1.0 - 2.0 * p) / chance.sqrt() * (share * share.sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::skewness;
+
+    #[test]
+    fn an_event_that_is_all_but_certain_is_as_skew_as_its_weights_allow() {
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-6;
+        let rare = 0.9998 / 9.999e-5_f64.sqrt();
+        assert!(close(skewness(1e-4, 1e-4, None), rare) && close(skewness(1e-4, 1e-4, Some(1e-9)), rare));
+        assert!(skewness(1.0 - 1e-9, 1.0, None) < -1e4 && skewness(1.0 - 1e-9, 1.0, Some(0.5)).abs() < 1e-8);
+        assert!(!(skewness(1.0, 1.0, Some(0.5)).abs() > 0.0), "none, as there is no other event");
+    }
 }
