@@ -1,5 +1,8 @@
 //! Checks: what makes a [`Fact`](crate::Fact), without a p-value. Those of this crate's claims; others have their own.
 
+use crate::evidence::Fact;
+use freepath_results::Reason;
+
 mod audit;
 mod equal_blocks;
 mod finite;
@@ -37,4 +40,9 @@ pub struct Check {
     pub details: &'static str,
     /// Its section of `docs/statistics.md`, as a link has it.
     pub section: &'static str,
+}
+
+/// A fact, if there is anything to count.
+pub(crate) fn counted(check: Check, count: u64, reason: Reason, what: &str) -> Option<Fact> {
+    (count > 0).then(|| Fact::new(check.name, reason, format!("{count} {what}")))
 }

@@ -4,9 +4,8 @@
 //! Claims are fine, one family of tests each, so that one that a case withdraws is left out of a list and nothing else
 //! changes.
 
-use crate::check::Check;
+pub(crate) use crate::check::counted;
 use crate::detection::Detection;
-use crate::evidence::Fact;
 use crate::fold::{Folds, ProbableEscape, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -248,9 +247,4 @@ impl<'a> Claims<'a> {
         }
         summary
     }
-}
-
-/// A fact, if there is anything to count.
-pub(crate) fn counted(check: Check, count: u64, reason: Reason, what: &str) -> Option<Fact> {
-    (count > 0).then(|| Fact::new(check.name, reason, format!("{count} {what}")))
 }
