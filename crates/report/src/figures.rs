@@ -5,8 +5,8 @@ mod ladders;
 use crate::plot::cost::Cost;
 use crate::plot::forest::Entry;
 use crate::plot::{
-    Figure, cdf, cost, efficiency, forest, histogram, life_table, medium, order, power, quantiles, residuals,
-    running,
+    DrawAxes, Figure, cdf, cost, efficiency, forest, histogram, is_ray, life_table, medium, order, power,
+    quantiles, residuals, running,
 };
 use crate::site::{Case, Site, Subject};
 use crate::text::clean;
@@ -55,12 +55,12 @@ fn level(site: &Site) -> Vec<Figure> {
 fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
     let level = site.results.reporting_level.0;
     let (result, name) = (subject.result, &subject.name);
-    let series = &result.series;
+    let (series, axes) = (&result.series, DrawAxes::of(site.cases[subject.case].medium));
     let figures = [
         broken(site, subject),
-        series.cdf.as_ref().map(|s| cdf::figure(s, name, level)),
-        series.histogram.as_ref().map(|s| histogram::figure(s, name)),
-        series.residuals.as_ref().map(|s| residuals::figure(s, name)),
+        series.cdf.as_ref().map(|s| cdf::figure(s, name, level, axes)),
+        series.histogram.as_ref().map(|s| histogram::figure(s, name, axes)),
+        series.residuals.as_ref().map(|s| residuals::figure(s, name, axes)),
         series.running.as_ref().zip(result.mean.as_ref()).map(|(s, mean)| running::figure(s, mean, name, level)),
         channels(subject),
     ];
@@ -88,7 +88,8 @@ fn channel_entries<'a>(subject: &Subject<'a>, before: &str) -> Vec<Entry<'a>> {
 
 fn of_case(site: &Site, case: &Case) -> Vec<Drawn> {
     let members = site.members(case);
-    let mut figures: Vec<Figure> = case.medium.map(|m| medium::figure(m, &case.title)).into_iter().collect();
+    let mut figures: Vec<Figure> =
+        case.medium.filter(|m| is_ray(m)).map(|m| medium::figure(m, &case.title)).into_iter().collect();
     figures.extend(means(case, &members));
     let costs: Vec<Cost> = members.iter().filter_map(|s| paid(s)).collect();
     if !costs.is_empty() {

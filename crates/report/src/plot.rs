@@ -14,13 +14,36 @@ pub(crate) mod residuals;
 pub(crate) mod running;
 
 use crate::draw::{Picture, Point};
-use freepath_results::{MOST_POINTS, Real};
+use freepath_results::{MOST_POINTS, MediumResult, Real};
 
 /// The width of a plot.
 pub(crate) const WIDTH: f64 = 640.0;
 
 /// Most points of a curve: a pixel shows no more.
 const MOST_DRAWN: usize = 150;
+
+/// The words on the axes of draws.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DrawAxes {
+    pub(crate) draw: &'static str,
+    pub(crate) density: &'static str,
+}
+
+impl DrawAxes {
+    /// Of distances along a ray, and of values in any other scene.
+    pub(crate) fn of(medium: Option<&MediumResult>) -> Self {
+        if medium.is_none_or(is_ray) {
+            Self { draw: "t, in length units", density: "probability per length unit" }
+        } else {
+            Self { draw: "value of a draw", density: "probability per unit" }
+        }
+    }
+}
+
+/// True of a medium along a ray: other scenes have neither extinction nor length.
+pub(crate) fn is_ray(medium: &MediumResult) -> bool {
+    !medium.series.is_empty()
+}
 
 /// A picture with the words that belong beside it.
 #[derive(Clone, Debug)]

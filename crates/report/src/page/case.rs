@@ -5,6 +5,7 @@ use super::ranking::{self, RankingView};
 use super::subject::SubjectView;
 use crate::figures::Figures;
 use crate::number::short;
+use crate::plot::is_ray;
 use crate::site::Site;
 use crate::text::{clean, words};
 use freepath_results::MediumResult;
@@ -47,6 +48,9 @@ impl CaseView {
 }
 
 fn sentence(medium: &MediumResult) -> String {
+    if !is_ray(medium) {
+        return format!("Scene: {}.", clean(&words(&medium.medium), 60));
+    }
     let tau: Vec<_> = medium.tau.iter().take(16).map(|tau| short(tau.0)).collect();
     let [least, greatest] = medium.extrema.map(|x| short(x.0));
     format!(

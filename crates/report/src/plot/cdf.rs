@@ -1,6 +1,6 @@
 //! Empirical minus analytic distribution function.
 
-use super::{Figure, WIDTH, pairs, reach};
+use super::{DrawAxes, Figure, WIDTH, pairs, reach};
 use crate::draw::{Axis, Ink, Inset, Key, Picture, Stroke};
 use crate::number::short;
 use freepath_results::CdfSeries;
@@ -9,7 +9,7 @@ const DRAWN: Stroke = Stroke::new(Ink::Blue, 1.6);
 const OWN: Stroke = Stroke::new(Ink::Vermillion, 1.6).dashed();
 
 /// The difference with its band, and that of the method's own law if it has one.
-pub(crate) fn figure(series: &CdfSeries, subject: &str, level: f64) -> Figure {
+pub(crate) fn figure(series: &CdfSeries, subject: &str, level: f64, axes: DrawAxes) -> Figure {
     let own = pairs(&series.t, &series.own);
     let mut words = format!(
         "The share of draws up to t, less the probability that the law gives. A right sampler stays inside the shaded band \
@@ -19,10 +19,10 @@ pub(crate) fn figure(series: &CdfSeries, subject: &str, level: f64) -> Figure {
     if !own.is_empty() {
         words += " The dashed curve is the method's own law, biased by design: draws that follow it are biased, not buggy.";
     }
-    Figure { name: "cdf", picture: picture(series, subject), heading: "Distribution function".into(), words }
+    Figure { name: "cdf", picture: picture(series, subject, axes), heading: "Distribution function".into(), words }
 }
 
-fn picture(series: &CdfSeries, subject: &str) -> Picture {
+fn picture(series: &CdfSeries, subject: &str, axes: DrawAxes) -> Picture {
     let (drawn, own) = (pairs(&series.t, &series.difference), pairs(&series.t, &series.own));
     let mut picture =
         Picture::new(WIDTH, 300.0, format!("{subject}: empirical minus analytic distribution function"));
@@ -32,7 +32,7 @@ fn picture(series: &CdfSeries, subject: &str) -> Picture {
     let y = Axis::linear("share of draws − F(t)", -top, top, 5);
     let mut inset = Inset::around(&y);
     inset.top += legend(&mut picture, inset.left, !own.is_empty());
-    let frame = picture.frame(Axis::linear("t, in length units", 0.0, end, 8), y, inset);
+    let frame = picture.frame(Axis::linear(axes.draw, 0.0, end, 8), y, inset);
     if let (true, Some(from), Some(to)) = (band > 0.0, frame.point(0.0, -band), frame.point(end, band)) {
         picture.rect(from, to, Ink::Sky, 0.22);
     }

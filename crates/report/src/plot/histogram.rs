@@ -1,6 +1,6 @@
 //! Histogram over the analytic density, and the escape atom on an axis of its own.
 
-use super::{Figure, WIDTH, reach};
+use super::{DrawAxes, Figure, WIDTH, reach};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Key, Mark, Picture, Point, SMALL, Stroke};
 use crate::number::short;
 use freepath_results::{HistogramSeries, MOST_POINTS};
@@ -10,20 +10,25 @@ const LAW: Stroke = Stroke::new(Ink::Vermillion, 1.6);
 const ASIDE: f64 = 122.0;
 
 /// Draws in cells, the density of the law, and how many escaped.
-pub(crate) fn figure(series: &HistogramSeries, subject: &str) -> Figure {
+pub(crate) fn figure(series: &HistogramSeries, subject: &str, axes: DrawAxes) -> Figure {
     let words = "Bars are the draws, the line is the density of the law, averaged over each cell. The pin at the right is \
                  the share of paths that escaped, on its own axis: the marker should sit on the short line."
         .into();
-    Figure { name: "histogram", picture: picture(series, subject), heading: "Density and escapes".into(), words }
+    Figure {
+        name: "histogram",
+        picture: picture(series, subject, axes),
+        heading: "Density and escapes".into(),
+        words,
+    }
 }
 
-fn picture(series: &HistogramSeries, subject: &str) -> Picture {
+fn picture(series: &HistogramSeries, subject: &str, axes: DrawAxes) -> Picture {
     let title = format!("{subject}: histogram of the draws over the analytic density, and the escape probability");
     let mut picture = Picture::new(WIDTH, 300.0, title);
     let (bars, law) = (steps(series, &series.density), steps(series, &series.expected));
     let top = 1.1 * reach(bars.iter().chain(&law).map(|p| p.1));
-    let y = Axis::linear("probability per length unit", 0.0, top, 5);
-    let x = Axis::linear("t, in length units", 0.0, reach(series.edges.iter().map(|e| e.0)), 7);
+    let y = Axis::linear(axes.density, 0.0, top, 5);
+    let x = Axis::linear(axes.draw, 0.0, reach(series.edges.iter().map(|e| e.0)), 7);
     let mut inset = Inset::around(&y);
     inset.right += ASIDE;
     let keys = [Key::Band(Ink::Sky, 0.55, "draws".into()), Key::Line(LAW, "law".into())];

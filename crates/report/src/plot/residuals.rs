@@ -1,6 +1,6 @@
 //! Chi-square residuals of the cells.
 
-use super::{Figure, WIDTH, reach};
+use super::{DrawAxes, Figure, WIDTH, reach};
 use crate::draw::{Align, Axis, Frame, Ink, Inset, Picture, Point, SMALL, Stroke};
 use freepath_results::{MOST_POINTS, Real, ResidualSeries};
 
@@ -8,25 +8,25 @@ use freepath_results::{MOST_POINTS, Real, ResidualSeries};
 const ASIDE: f64 = 78.0;
 
 /// The plot of the deviations that a chi-square test sees in a law.
-pub(crate) fn figure(series: &ResidualSeries, subject: &str) -> Figure {
+pub(crate) fn figure(series: &ResidualSeries, subject: &str, axes: DrawAxes) -> Figure {
     let words = "How many standard deviations each cell of the chi-square test is off. Of 64 cells of a right sampler about \
                  three lie outside ±2 and none outside ±4; a run of bars to one side is a slope in the law."
         .into();
     Figure {
         name: "residuals",
-        picture: picture(series, subject),
+        picture: picture(series, subject, axes),
         heading: "Residuals of the cells".into(),
         words,
     }
 }
 
-fn picture(series: &ResidualSeries, subject: &str) -> Picture {
+fn picture(series: &ResidualSeries, subject: &str, axes: DrawAxes) -> Picture {
     let mut picture = Picture::new(WIDTH, 260.0, format!("{subject}: chi-square residual of each cell"));
     let top = (1.15 * reach(series.residual.iter().map(|r| r.0))).max(5.0);
     let y = Axis::linear("residual, in standard deviations", -top, top, 6);
     let mut inset = Inset::around(&y);
     inset.right += if series.escape { ASIDE } else { 0.0 };
-    let x = Axis::linear("t, in length units", 0.0, reach(series.edges.iter().map(|e| e.0)), 8);
+    let x = Axis::linear(axes.draw, 0.0, reach(series.edges.iter().map(|e| e.0)), 8);
     let frame = picture.frame(x, y, inset);
     guides(&mut picture, &frame);
     let bars = bars(series, &frame);
