@@ -113,8 +113,9 @@ impl Law {
     /// The mass within half a step of the numbers at `t`, by the densest of the cells beside it.
     fn blur(&self, t: f64) -> f64 {
         let half = t * self.scale * self.grain.relative; // in cells
-        let (at, reach) = ((t * self.scale) as usize, 1 + half as usize);
-        let end = if at + reach < self.cells() { at + reach } else { self.cells() };
+        let (at, reach) = ((t * self.scale) as usize, (half as usize).saturating_add(1)); // of a ray too short for a scale, too
+        let end = at.saturating_add(reach);
+        let end = if end < self.cells() { end } else { self.cells() };
         let masses = (at.saturating_sub(reach)..end).map(|k| self.mass(k));
         half * masses.fold(0.0, |a, b| if b <= a { a } else { b }) + self.grain.mass
     }

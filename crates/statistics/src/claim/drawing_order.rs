@@ -26,7 +26,7 @@ const LN_CHANCE: f64 = -27.631;
 impl DrawingOrder {
     fn fact(&self, tallies: &Tallies) -> Option<Fact> {
         let rows = &tallies.sums(self.rows).words;
-        copied(tallies.counts(self.copies)).or_else(|| repeated(rows)).or_else(|| self.sorted(tallies))
+        copied(tallies.counts(self.copies)).or_else(|| self.sorted(tallies)).or_else(|| repeated(rows))
     }
 
     fn sorted(&self, tallies: &Tallies) -> Option<Fact> {

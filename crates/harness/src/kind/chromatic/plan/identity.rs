@@ -15,6 +15,8 @@ struct Share {
 
 /// Rounding of a weight, relative to it, of double precision and of single.
 const ROUNDING: [f64; 2] = [1e-9, 1e-6];
+/// Weights so faint that the exponential in them has lost its digits: those of a channel that a thinner one has left behind.
+const FAINT: f64 = 1e-300;
 /// Most bits of single precision.
 const SINGLE: u32 = 24;
 
@@ -33,7 +35,7 @@ pub(super) fn claim(medium: &ChromaticMedium, mixture: &[f64], terms: &Terms, cl
         distance: T,
         weights: Arc::new(move |t, weights| weigh(&shares, t, length, weights)),
         relative: ROUNDING[usize::from(terms.bits <= SINGLE)],
-        absolute: terms.tolerance,
+        absolute: terms.tolerance + FAINT,
     });
     claims.push(WeightIdentityClaim { rows });
 }
