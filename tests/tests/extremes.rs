@@ -109,7 +109,7 @@ fn thick_media() {
         .iter()
         .map(|tau| grey(tau / 2.3, 2.3, r#"{ "factor": 1.5 }"#))
         .collect();
-    hold(&media, &[1, 100, 50_000]);
+    hold(&media, &[1, 100, 20_000]);
 }
 
 #[test]

@@ -15,8 +15,8 @@ struct Share {
 
 /// Rounding of a weight, relative to it, of double precision and of single.
 const ROUNDING: [f64; 2] = [1e-9, 1e-6];
-/// Weights so faint that the exponential in them has lost its digits: those of a channel that a thinner one has left behind.
-const FAINT: f64 = 1e-300;
+/// Weights so faint that they may as well be 0: an exponential loses its digits below 1e-304, and stands beside an extinction over a density.
+const FAINT: f64 = 1e-280;
 /// Most bits of single precision.
 const SINGLE: u32 = 24;
 
