@@ -1,4 +1,4 @@
-//! Checks: what makes a [`Fact`](crate::Fact), without a p-value. Those of this crate's claims; others have their own.
+//! Checks: what makes a [`Fact`], without a p-value. Those of this crate's claims; others have their own.
 
 use crate::evidence::Fact;
 use freepath_results::Reason;

@@ -16,7 +16,7 @@ pub struct WeightedLawClaim {
     pub sums: FoldId<Weighed>,
     /// The sums over all that scatters, which tell the tail of the weights.
     pub scatter: FoldId<EventSums>,
-    /// E[w] where it scatters.
+    /// `E[w]` where it scatters.
     pub scattered: f64,
     /// All that the channel expects, the end of the ray as well.
     pub whole: f64,
