@@ -5,7 +5,7 @@ mod lanes;
 mod streams;
 mod uniform;
 
-pub use key::Key;
+pub use key::{Key, split_mix};
 pub use lanes::{LANES, Lanes, ScriptedLanes, Uniforms};
 pub use streams::{Script, Spent, StreamRng, Streams};
 pub use uniform::{UNIFORM_BITS, exponential, uniform};

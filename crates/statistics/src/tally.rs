@@ -29,7 +29,6 @@ pub use flanks::{FLANKS, Flank, FlankTally, Flanks, Side};
 pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores, Spread};
 pub use nulls::NullTally;
-pub(crate) use repeat::mixed;
 pub use repeat::{Repeat, repeat};
 pub use sequence::{
     BlockRows, Circular, Correlations, DyadicBatches, DyadicSums, EDGES_FROM, Edges, Escaped, Kept, MEASURES,

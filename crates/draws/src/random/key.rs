@@ -41,7 +41,9 @@ impl Key {
 
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-fn split_mix(x: u64) -> u64 {
+/// The mixing of SplitMix64, one to one: every bit of `x` sways all others (Steele, Lea and Flood 2014).
+#[must_use]
+pub fn split_mix(x: u64) -> u64 {
     let z = x.wrapping_add(GOLDEN);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -2,6 +2,7 @@
 
 use super::nodes::NodeTable;
 use crate::samples::{RowFormat, Wanted};
+use freepath_draws::random::split_mix;
 use freepath_estimators::medium::{ChannelMedium, ChromaticMedium};
 use freepath_estimators::{Extinction, Medium};
 use serde_json::{Map, Value, json};
@@ -72,15 +73,9 @@ pub(super) fn line(request: &Map<String, Value>, draws: u64, seed: u64, stage: u
     line
 }
 
-/// A seed below 2^53 for the start that begins with `block` (splitmix64; Steele, Lea and Flood 2014).
+/// A seed below 2^53 for the start that begins with `block`.
 pub(super) fn seed(wanted: &Wanted, block: u64) -> u64 {
-    let mixed = [wanted.seed, wanted.subject, block].into_iter().fold(0, |state: u64, part| mix(state ^ part));
+    let mixed =
+        [wanted.seed, wanted.subject, block].into_iter().fold(0, |state: u64, part| split_mix(state ^ part));
     mixed >> 11
-}
-
-fn mix(state: u64) -> u64 {
-    let z = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }

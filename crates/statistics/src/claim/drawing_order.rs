@@ -20,9 +20,6 @@ pub struct DrawingOrder {
 /// The probability below which chance is no cause.
 const CHANCE: f64 = 1e-12;
 
-/// Its logarithm.
-const LN_CHANCE: f64 = -27.631;
-
 impl DrawingOrder {
     fn fact(&self, tallies: &Tallies) -> Option<Fact> {
         let rows = &tallies.sums(self.rows).words;
@@ -39,7 +36,7 @@ impl DrawingOrder {
         let words =
             format!("the rows are sorted, {direction}: they are needed in the order in which they were drawn");
         let chance = core::f64::consts::LN_2 - orders;
-        (chance < LN_CHANCE).then(|| Fact::new(check::SORTED.name, Reason::Dependent, words))
+        (libm::exp(chance) < CHANCE).then(|| Fact::new(check::SORTED.name, Reason::Dependent, words))
     }
 }
 
@@ -48,7 +45,7 @@ fn copied(blocks: &[Fingerprint]) -> Option<Fact> {
     let mut sorted = blocks.to_vec();
     sorted.sort_unstable();
     let ln_pairs = libm::log(0.5 * blocks.len() as f64 * blocks.len() as f64);
-    let copies = |equal: &[Fingerprint]| equal.len() > 1 && ln_pairs - equal[0].ln_orders() < LN_CHANCE;
+    let copies = |equal: &[Fingerprint]| equal.len() > 1 && libm::exp(ln_pairs - equal[0].ln_orders()) < CHANCE;
     let extra: usize =
         sorted.chunk_by(|a, b| a == b).filter(|equal| copies(equal)).map(|equal| equal.len() - 1).sum();
     let (all, rows) = (blocks.len(), sorted.first()?.rows);

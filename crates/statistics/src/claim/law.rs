@@ -37,6 +37,8 @@ pub struct LawClaim {
     pub order: Option<f64>,
     /// True if draws may grow towards a bound on the distance from the law.
     pub grows: bool,
+    /// True if draws are distances along a ray, where one number may be what is wrong.
+    pub distances: bool,
 }
 
 impl Claim for LawClaim {
@@ -72,7 +74,7 @@ impl Claim for LawClaim {
     fn summarize(&self, tallies: &Tallies, into: &mut Summary) {
         let cells = tallies.counts(self.cells);
         into.law = Some(law_result(&self.law, cells, &into.detection));
-        into.hints.extend(hint::hint(&self.law, cells));
+        into.hints.extend(self.distances.then(|| hint::hint(&self.law, cells)).flatten());
         into.series.cdf = Some(series::cdf(&self.law, self.own.as_deref(), cells));
         into.series.histogram = Some(series::histogram(&self.law, cells));
         into.series.residuals = series::residual(&self.law, cells);

@@ -1,8 +1,8 @@
 use super::copies::canonical;
 use super::{Fold, Ordered};
 use crate::block::{Block, Scratch};
-use crate::tally::mixed;
 use freepath_draws::MissingColumn;
+use freepath_draws::random::split_mix;
 use std::borrow::Cow;
 
 /// The first rows of a range, as one word each.
@@ -51,7 +51,7 @@ impl Fold for FirstRows {
         let mut words = vec![0; if wanted { block.draws.rows() } else { 0 }];
         for name in &self.columns {
             let column = block.f64(name)?;
-            words.iter_mut().zip(column).for_each(|(word, &x)| *word = mixed(*word ^ canonical(x)));
+            words.iter_mut().zip(column).for_each(|(word, &x)| *word = split_mix(*word ^ canonical(x)));
         }
         Ok(words)
     }

@@ -60,10 +60,10 @@ pub fn exposure(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
         return Evidence::withheld(name, f64::NAN, reason, why);
     }
     let exposure = Exposure::new(law);
-    let travelled = exposure.travelled(tally);
-    let excess = lessened(tally.collided() as f64 - travelled, n * law.slack() * exposure.variation);
+    let excess = tally.collided() as f64 - exposure.travelled(tally);
+    let excess = lessened(excess, n * law.slack() * exposure.variation);
     let z = standardised(excess, (n * exposure.variance).sqrt());
-    let factor = tally.collided() as f64 / travelled;
+    let factor = exposure.factor(tally);
     Evidence::new(name, z, None, pearson_two_sided(exposure.skewness / n.sqrt(), z), reason)
         .noted(format!("{factor:.5} collisions over the depth travelled for each that is due"))
 }
@@ -71,7 +71,7 @@ pub fn exposure(law: &Law, tally: &CellTally, reason: Reason) -> Evidence {
 /// The factor on the extinction that the collisions make likeliest: their number over the depth travelled.
 #[must_use]
 pub(crate) fn extinction_factor(law: &Law, tally: &CellTally) -> f64 {
-    tally.collided() as f64 / Exposure::new(law).travelled(tally)
+    Exposure::new(law).factor(tally)
 }
 
 /// The smallest relative error of the extinction that the score would have seen in both stages with the usual power; none where it
@@ -103,6 +103,11 @@ impl Exposure {
         let last = depth.last().map_or(0.0, |last| (1.0 - last - escape).abs());
         let variation = last + depth.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>();
         Self { depth, total, variance, skewness, variation }
+    }
+
+    /// Collisions over the depth travelled.
+    fn factor(&self, tally: &CellTally) -> f64 {
+        tally.collided() as f64 / self.travelled(tally)
     }
 
     /// The optical depth that all draws travelled.

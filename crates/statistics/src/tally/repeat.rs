@@ -1,5 +1,8 @@
 //! Sequences of rows that come again.
 
+use freepath_draws::random::split_mix;
+use std::hash::{BuildHasher, RandomState};
+
 /// A sequence that stands twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
@@ -9,17 +12,6 @@ pub struct Repeat {
     pub again: usize,
     /// Its rows.
     pub rows: usize,
-}
-
-/// An odd number without a pattern, the golden ratio.
-const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
-
-/// A word whose bits all depend on those of `word`, one to one.
-#[must_use]
-pub(crate) fn mixed(word: u64) -> u64 {
-    let word = (word ^ (word >> 32)).wrapping_mul(ODD);
-    let word = (word ^ (word >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    word ^ (word >> 32)
 }
 
 /// The first of the sequences of rows that come again, as many rows apart as they have or more; the chance of any is at most
@@ -61,7 +53,7 @@ fn collisions(words: &[u64]) -> f64 {
     let mut seen = Seen::new(words.len());
     let mut counts = vec![0u32; words.len()];
     for (place, &word) in words.iter().enumerate() {
-        counts[seen.first(mixed(word), place).unwrap_or(place)] += 1;
+        counts[seen.first(word, place).unwrap_or(place)] += 1;
     }
     let (mut pairs, mut cubes) = (0.0, 0.0);
     for count in counts.into_iter().map(f64::from) {
@@ -80,25 +72,27 @@ fn hashes(words: &[u64], rows: usize) -> Vec<u64> {
     let (mut of_length, mut length, mut done) = (words.to_vec(), 1, 0);
     while length <= rows {
         if rows & length != 0 {
-            all.iter_mut().zip(&of_length[done..]).for_each(|(all, part)| *all = mixed(*all ^ part));
+            all.iter_mut().zip(&of_length[done..]).for_each(|(all, part)| *all = split_mix(*all ^ part));
             done += length;
         }
         let longer = of_length.iter().zip(of_length.get(length..).unwrap_or_default());
-        of_length = longer.map(|(&a, b)| mixed(mixed(a) ^ b)).collect();
+        of_length = longer.map(|(&a, b)| split_mix(split_mix(a) ^ b)).collect();
         length *= 2;
     }
     all
 }
 
-/// The places where hashes were seen first: a table with open addresses (Knuth 1973, section 6.4).
+/// The places where words were seen first: a table with open addresses (Knuth 1973, section 6.4).
 struct Seen {
     slots: Vec<Slot>,
     shift: u32,
+    /// Of this process alone, so that no file can be made whose words all ask for one slot. What is found does not depend on it.
+    key: u64,
 }
 
 #[derive(Clone, Copy)]
 struct Slot {
-    hash: u64,
+    word: u64,
     /// One more than the place; 0 if the slot is free.
     place: u32,
 }
@@ -106,19 +100,23 @@ struct Slot {
 impl Seen {
     fn new(most: usize) -> Self {
         let bits = (2 * most).next_power_of_two().trailing_zeros().max(1);
-        Self { slots: vec![Slot { hash: 0, place: 0 }; 1 << bits], shift: u64::BITS - bits }
+        Self {
+            slots: vec![Slot { word: 0, place: 0 }; 1 << bits],
+            shift: u64::BITS - bits,
+            key: RandomState::new().hash_one(0),
+        }
     }
 
-    /// The place where `hash` was seen first, if that was before this `place`.
-    fn first(&mut self, hash: u64, place: usize) -> Option<usize> {
-        let mut at = (hash >> self.shift) as usize;
+    /// The place where `word` was seen first, if that was before this `place`.
+    fn first(&mut self, word: u64, place: usize) -> Option<usize> {
+        let mut at = (split_mix(word ^ self.key) >> self.shift) as usize;
         loop {
             let slot = &mut self.slots[at];
             if slot.place == 0 {
-                *slot = Slot { hash, place: place as u32 + 1 };
+                *slot = Slot { word, place: place as u32 + 1 };
                 return None;
             }
-            if slot.hash == hash {
+            if slot.word == word {
                 return Some(slot.place as usize - 1);
             }
             at = (at + 1) % self.slots.len();
@@ -153,7 +151,7 @@ mod tests {
     fn words(kind: usize, rows: usize, seed: u64) -> Vec<u64> {
         let mut rng = Key { seed, subject: kind as u64, block: 0 }.rng();
         let mut uniform = || random::uniform(&mut rng);
-        (0..rows).map(|_| mixed(KINDS[kind](&mut uniform).to_bits())).collect()
+        (0..rows).map(|_| split_mix(KINDS[kind](&mut uniform).to_bits())).collect()
     }
 
     #[test]

@@ -86,7 +86,7 @@ fn law<'a>(medium: &'a ChromaticMedium, mixture: &[f64], terms: &Terms, claims: 
     claims.push(Path { column: T, length, cells, strays, escapes });
     if known {
         let (breaks, own, order, grows) = (Vec::new(), None, None, false);
-        claims.push(LawClaim { law: law.clone(), cells, reason, own, breaks, order, grows });
+        claims.push(LawClaim { law: law.clone(), cells, reason, own, breaks, order, grows, distances: true });
         if let Some(flanks) = Flanks::new(&law, &survival, &[]).map(Arc::new) {
             let near = claims.folds.add(Breaks { column: T, flanks: flanks.clone(), index });
             claims.push(BreaksClaim { prefix: "", flanks, near, cells, reason });

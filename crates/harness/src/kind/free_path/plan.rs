@@ -146,6 +146,7 @@ impl<'a, 'b> Builder<'a, 'b> {
             breaks: self.ray.truth.breaks().to_vec(),
             order: self.said.order,
             grows: true,
+            distances: true,
         });
         let shares = batches::shares(truth, self.index, self.reason, self.terms, &mut self.claims);
         batches::push(shares, &mut self.claims);
