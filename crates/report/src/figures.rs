@@ -5,10 +5,10 @@ mod ladders;
 use crate::plot::cost::Cost;
 use crate::plot::forest::Entry;
 use crate::plot::{
-    DrawAxes, Figure, cdf, cost, efficiency, forest, histogram, is_ray, life_table, medium, order, power,
-    quantiles, residuals, running,
+    DrawAxes, Figure, cdf, cost, efficiency, forest, histogram, life_table, medium, order, power, quantiles,
+    residuals, running,
 };
-use crate::site::{Case, Site, Subject};
+use crate::site::{Case, Site, Subject, is_ray};
 use crate::text::clean;
 use freepath_results::{ChannelResult, Verdict};
 use rayon::prelude::*;
@@ -55,7 +55,7 @@ fn level(site: &Site) -> Vec<Figure> {
 fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
     let level = site.results.reporting_level.0;
     let (result, name) = (subject.result, &subject.name);
-    let (series, axes) = (&result.series, DrawAxes::of(site.cases[subject.case].medium));
+    let (series, axes) = (&result.series, DrawAxes::of(subject.on_ray));
     let figures = [
         broken(site, subject),
         series.cdf.as_ref().map(|s| cdf::figure(s, name, level, axes)),

@@ -14,7 +14,7 @@ pub(crate) mod residuals;
 pub(crate) mod running;
 
 use crate::draw::{Picture, Point};
-use freepath_results::{MOST_POINTS, MediumResult, Real};
+use freepath_results::{MOST_POINTS, Real};
 
 /// The width of a plot.
 pub(crate) const WIDTH: f64 = 640.0;
@@ -27,22 +27,19 @@ const MOST_DRAWN: usize = 150;
 pub(crate) struct DrawAxes {
     pub(crate) draw: &'static str,
     pub(crate) density: &'static str,
+    /// Draws may escape.
+    pub(crate) escapes: bool,
 }
 
 impl DrawAxes {
     /// Of distances along a ray, and of values in any other scene.
-    pub(crate) fn of(medium: Option<&MediumResult>) -> Self {
-        if medium.is_none_or(is_ray) {
-            Self { draw: "t, in length units", density: "probability per length unit" }
+    pub(crate) fn of(on_ray: bool) -> Self {
+        if on_ray {
+            Self { draw: "t, in length units", density: "probability per length unit", escapes: true }
         } else {
-            Self { draw: "value of a draw", density: "probability per unit" }
+            Self { draw: "value of a draw", density: "probability per unit", escapes: false }
         }
     }
-}
-
-/// True of a medium along a ray: other scenes have neither extinction nor length.
-pub(crate) fn is_ray(medium: &MediumResult) -> bool {
-    !medium.series.is_empty()
 }
 
 /// A picture with the words that belong beside it.

@@ -34,6 +34,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) log: &'a str,
     /// Index into [`Site::cases`].
     pub(crate) case: usize,
+    /// True if it draws along a ray: other scenes have neither escapes nor look-ups of mu.
+    pub(crate) on_ray: bool,
 }
 
 impl Subject<'_> {
@@ -60,6 +62,11 @@ pub(crate) struct Case<'a> {
     pub(crate) members: Vec<usize>,
 }
 
+/// True of a medium along a ray: other scenes have neither extinction nor length.
+pub(crate) fn is_ray(medium: &MediumResult) -> bool {
+    !medium.series.is_empty()
+}
+
 impl<'a> Site<'a> {
     pub(crate) fn new(results: &'a Results, timings: Option<&'a Timings>, side_files: &'a SideFiles) -> Self {
         let chosen = at_most(&results.results, MOST_SECTIONS, |r| !r.as_expected);
@@ -78,6 +85,7 @@ impl<'a> Site<'a> {
                 seconds: seconds.get(result.id.as_str()).copied(),
                 log: logs.get(result.id.as_str()).copied().unwrap_or(""),
                 case: home,
+                on_ray: cases[home].medium.is_none_or(is_ray),
             });
         }
         Self { results, timings, side_files, subjects, beyond: beyond(results, &chosen), cases }

@@ -5,8 +5,7 @@ use super::ranking::{self, RankingView};
 use super::subject::SubjectView;
 use crate::figures::Figures;
 use crate::number::short;
-use crate::plot::is_ray;
-use crate::site::Site;
+use crate::site::{Site, is_ray};
 use crate::text::{clean, words};
 use freepath_results::MediumResult;
 

@@ -185,7 +185,7 @@ fn fact(fact: &FactResult) -> FactRow {
 fn measures(subject: &Subject) -> Vec<String> {
     let result = subject.result;
     let mut lines = result.mean.as_ref().map(words::mean).unwrap_or_default();
-    lines.extend(result.law.as_ref().map(words::law).unwrap_or_default());
+    lines.extend(result.law.as_ref().map(|law| words::law(law, subject.on_ray)).unwrap_or_default());
     lines.extend(result.series.life_table.as_ref().and_then(words::life_table));
     for channel in result.channels.iter().take(MOST) {
         let name = format!("Channel {}, {}: ", channel.channel, clean(&channel.event, 40));
@@ -195,7 +195,8 @@ fn measures(subject: &Subject) -> Vec<String> {
     }
     lines.extend(result.weighted_laws.iter().take(MOST).map(words::weighted_law));
     let time = subject.seconds.map_or(String::new(), |s| format!(" {} ns per draw.", short(1e9 * s)));
-    lines.push(words::audit(subject) + &time);
+    lines.push(if subject.on_ray { words::audit(subject) + &time } else { time.trim_start().into() });
+    lines.retain(|line| !line.is_empty());
     lines
 }
 

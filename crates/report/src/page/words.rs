@@ -4,7 +4,8 @@ use crate::number::{count, short};
 use crate::site::Subject;
 use crate::text::clean;
 use freepath_results::{
-    Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, TestResult, Verdict, WeightedLawResult,
+    Atom, Grown, GrownOutcome, LawResult, LifeTable, MeanResult, SubjectResult, TestResult, Verdict,
+    WeightedLawResult,
 };
 
 /// The letter of a verdict in the matrix.
@@ -109,26 +110,27 @@ fn digits6(x: f64) -> String {
 }
 
 /// As [`mean`], for a law.
-pub(crate) fn law(law: &LawResult) -> Vec<String> {
-    let atom = &law.atom;
-    let found = vec![
-        format!(
-            "The largest gap between the draws and the law is {}. The sampler’s own law may be off by as much as {}; \
-             a gap above {} would have been seen with 90 % power.",
-            short(law.distance.0),
-            short(law.bound.0),
-            short(law.detectable.0)
-        ),
-        format!(
-            "A path escapes with probability {}; the share of draws that did is {} (between {} and {}).",
-            short(atom.expected.0),
-            short(atom.estimate.0),
-            short(atom.low.0),
-            short(atom.high.0)
-        ),
-    ];
-    let more = [detectable(law), law.grown.as_ref().map(grown)];
-    found.into_iter().chain(more.into_iter().flatten()).collect()
+pub(crate) fn law(law: &LawResult, on_ray: bool) -> Vec<String> {
+    let distance = format!(
+        "The largest gap between the draws and the law is {}. The sampler’s own law may be off by as much as {}; \
+         a gap above {} would have been seen with 90 % power.",
+        short(law.distance.0),
+        short(law.bound.0),
+        short(law.detectable.0)
+    );
+    let found =
+        [Some(distance), on_ray.then(|| escapes(&law.atom)), detectable(law), law.grown.as_ref().map(grown)];
+    found.into_iter().flatten().collect()
+}
+
+fn escapes(atom: &Atom) -> String {
+    format!(
+        "A path escapes with probability {}; the share of draws that did is {} (between {} and {}).",
+        short(atom.expected.0),
+        short(atom.estimate.0),
+        short(atom.low.0),
+        short(atom.high.0)
+    )
 }
 
 /// The law of the distance under the weights of a channel.

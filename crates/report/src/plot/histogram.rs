@@ -11,13 +11,13 @@ const ASIDE: f64 = 122.0;
 
 /// Draws in cells, the density of the law, and how many escaped.
 pub(crate) fn figure(series: &HistogramSeries, subject: &str, axes: DrawAxes) -> Figure {
-    let words = "Bars are the draws, the line is the density of the law, averaged over each cell. The pin at the right is \
-                 the share of paths that escaped, on its own axis: the marker should sit on the short line."
-        .into();
+    let bars = "Bars are the draws, the line is the density of the law, averaged over each cell.";
+    let pin = "The pin at the right is the share of paths that escaped, on its own axis: the marker should sit on the short line.";
+    let words = if axes.escapes { format!("{bars} {pin}") } else { bars.into() };
     Figure {
         name: "histogram",
         picture: picture(series, subject, axes),
-        heading: "Density and escapes".into(),
+        heading: if axes.escapes { "Density and escapes" } else { "Density" }.into(),
         words,
     }
 }
@@ -30,7 +30,7 @@ fn picture(series: &HistogramSeries, subject: &str, axes: DrawAxes) -> Picture {
     let y = Axis::linear(axes.density, 0.0, top, 5);
     let x = Axis::linear(axes.draw, 0.0, reach(series.edges.iter().map(|e| e.0)), 7);
     let mut inset = Inset::around(&y);
-    inset.right += ASIDE;
+    inset.right += if axes.escapes { ASIDE } else { 0.0 };
     let keys = [Key::Band(Ink::Sky, 0.55, "draws".into()), Key::Line(LAW, "law".into())];
     inset.top += picture.legend(&keys, inset.left, 11.0);
     let frame = picture.frame(x, y, inset);
@@ -43,7 +43,9 @@ fn picture(series: &HistogramSeries, subject: &str, axes: DrawAxes) -> Picture {
     picture.area(area, Ink::Sky, 0.55);
     picture.curve(&frame, &law, LAW);
     picture.names = vec![(Ink::Vermillion, "law".into())];
-    escapes(&mut picture, &frame, series);
+    if axes.escapes {
+        escapes(&mut picture, &frame, series);
+    }
     picture
 }
 
