@@ -19,6 +19,7 @@ mod escaping;
 mod events;
 mod in_scene;
 mod list;
+mod one_column;
 mod outline;
 mod placed;
 mod ray;

@@ -1,7 +1,7 @@
 use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
 use crate::identities;
-use crate::samples::{ColumnFormat, Fills, Place, Reading, RowFormat};
+use crate::samples::{Place, RowFormat};
 use crate::scene::{Density1d, Scene};
 use crate::subject::Route;
 use freepath_draws::random::uniform;
@@ -127,9 +127,7 @@ fn wrong_pdf(target: &Target, draws: &Draws, tolerance: f64) -> Option<Fact> {
 
 /// A row of a file or a program is a number.
 fn rows(place: Place) -> RowFormat {
-    let column =
-        ColumnFormat { name: X.into(), place, reading: Reading::Plain, fills: Fills::Column(X.into()) };
-    RowFormat { columns: vec![column], names: X.into(), excess: None }
+    RowFormat::number(X, place)
 }
 
 impl KindOf for dyn DensitySampler {

@@ -2,7 +2,7 @@ use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
 use crate::identities;
-use crate::samples::{ColumnFormat, Fills, Place, Reading, RowFormat};
+use crate::samples::{Place, RowFormat};
 use crate::scene::{self, Scene};
 use crate::subject::Route;
 use freepath_draws::random::uniform;
@@ -140,9 +140,7 @@ fn wrong_probability(categories: &Categories, draws: &Draws, probe: &Probe) -> O
 
 /// A row of a file or a program is a category.
 fn rows(place: Place) -> RowFormat {
-    let fills = Fills::Column(INDEX.into());
-    let column = ColumnFormat { name: INDEX.into(), place, reading: Reading::Plain, fills };
-    RowFormat { columns: vec![column], names: INDEX.into(), excess: None }
+    RowFormat::number(INDEX, place)
 }
 
 impl KindOf for dyn DiscreteSampler {

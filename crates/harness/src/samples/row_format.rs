@@ -107,6 +107,12 @@ impl RowFormat {
         Self::of(vec![t, column_of("weight", weight, Reading::Plain, of(column::channel(0)))])
     }
 
+    /// A number, in the column that is called so here and in messages.
+    #[must_use]
+    pub fn number(name: &'static str, column: Place) -> Self {
+        Self::of(vec![column_of(name, column, Reading::Plain, of(name))])
+    }
+
     /// An estimate.
     #[must_use]
     pub fn estimate(column: Place) -> Self {
