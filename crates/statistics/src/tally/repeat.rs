@@ -23,14 +23,13 @@ pub struct Repeat {
 /// ```
 ///
 /// Rows k apart are independent, so that N^2 / 2 pairs of sequences have c^k N^2 / 2 in expectation, which bounds the probability
-/// of one (Markov). Cost: two tables of the rows, some 20 ns a row.
+/// of one (Markov). Cost: a table of the rows, some 30 ns a row.
 #[must_use]
 pub fn repeat(words: &[u64], chance: f64) -> Option<Repeat> {
     let rows = rows_needed(words, chance)?;
-    let mut seen = Seen::new(words.len());
     let sequences = hashes(words, rows);
-    let places = sequences.iter().enumerate();
-    let hits = places.filter_map(|(place, &hash)| seen.first(hash, place).map(|first| (first, place)));
+    let mut seen = Seen::of(&sequences);
+    let hits = (0..sequences.len()).filter_map(|place| seen.first(place).map(|first| (first, place)));
     let mut far = hits.filter(|(first, place)| place - first >= rows);
     let (first, again) = far.find(|&(a, b)| words[a..a + rows] == words[b..b + rows])?;
     let alike = words[first..again].iter().zip(&words[again..]).take_while(|(a, b)| a == b).count();
@@ -46,14 +45,18 @@ fn rows_needed(words: &[u64], chance: f64) -> Option<usize> {
     (rate < 1.0 && rows <= n / 8.0).then_some(rows as usize)
 }
 
-/// An upper bound on the probability that two rows are equal, from how often each value occurs: six standard deviations above what
-/// is seen.
+/// The first rows of which it is counted how often each value occurs: enough to bound the probability that two are equal.
+const COUNTED: usize = 1 << 15;
+
+/// An upper bound on the probability that two rows are equal, from how often each value occurs among the first of them: six
+/// standard deviations above what is seen.
 fn collisions(words: &[u64]) -> f64 {
+    let words = &words[..words.len().min(COUNTED)];
     let n = words.len() as f64;
-    let mut seen = Seen::new(words.len());
+    let mut seen = Seen::of(words);
     let mut counts = vec![0u32; words.len()];
-    for (place, &word) in words.iter().enumerate() {
-        counts[seen.first(word, place).unwrap_or(place)] += 1;
+    for place in 0..words.len() {
+        counts[seen.first(place).unwrap_or(place)] += 1;
     }
     let (mut pairs, mut cubes) = (0.0, 0.0);
     for count in counts.into_iter().map(f64::from) {
@@ -82,42 +85,34 @@ fn hashes(words: &[u64], rows: usize) -> Vec<u64> {
     all
 }
 
-/// The places where words were seen first: a table with open addresses (Knuth 1973, section 6.4).
-struct Seen {
-    slots: Vec<Slot>,
+/// The places where each of the words was seen first: a table with open addresses (Knuth 1973, section 6.4).
+struct Seen<'a> {
+    words: &'a [u64],
+    /// One more than the place; 0 if the slot is free.
+    slots: Vec<u32>,
     shift: u32,
     /// Of this process alone, so that no file can be made whose words all ask for one slot. What is found does not depend on it.
     key: u64,
 }
 
-#[derive(Clone, Copy)]
-struct Slot {
-    word: u64,
-    /// One more than the place; 0 if the slot is free.
-    place: u32,
-}
-
-impl Seen {
-    fn new(most: usize) -> Self {
-        let bits = (2 * most).next_power_of_two().trailing_zeros().max(1);
-        Self {
-            slots: vec![Slot { word: 0, place: 0 }; 1 << bits],
-            shift: u64::BITS - bits,
-            key: RandomState::new().hash_one(0),
-        }
+impl<'a> Seen<'a> {
+    fn of(words: &'a [u64]) -> Self {
+        let bits = (2 * words.len()).next_power_of_two().trailing_zeros().max(1);
+        Self { words, slots: vec![0; 1 << bits], shift: u64::BITS - bits, key: RandomState::new().hash_one(0) }
     }
 
-    /// The place where `word` was seen first, if that was before this `place`.
-    fn first(&mut self, word: u64, place: usize) -> Option<usize> {
+    /// The place where the word of this `place` was seen first, if that was before.
+    fn first(&mut self, place: usize) -> Option<usize> {
+        let word = self.words[place];
         let mut at = (split_mix(word ^ self.key) >> self.shift) as usize;
         loop {
             let slot = &mut self.slots[at];
-            if slot.place == 0 {
-                *slot = Slot { word, place: place as u32 + 1 };
+            let Some(first) = slot.checked_sub(1) else {
+                *slot = place as u32 + 1;
                 return None;
-            }
-            if slot.word == word {
-                return Some(slot.place as usize - 1);
+            };
+            if self.words[first as usize] == word {
+                return Some(first as usize);
             }
             at = (at + 1) % self.slots.len();
         }
