@@ -35,7 +35,7 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
         breaks: Vec::new(),
         order: None,
         grows: true,
- distances: false,
+        distances: false,
     });
     let shares = batches::shares(&law, index, reason, terms, &mut claims);
     batches::push(shares, &mut claims);

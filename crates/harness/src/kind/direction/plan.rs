@@ -60,7 +60,7 @@ fn follows(law: &Arc<Law>, rank: &Ranked) -> LawClaim {
         breaks: Vec::new(),
         order: None,
         grows: true,
- distances: false,
+        distances: false,
     }
 }
 

@@ -59,7 +59,7 @@ impl Counted {
             breaks: Vec::new(),
             order: None,
             grows: true,
- distances: false,
+            distances: false,
         }
     }
 }
