@@ -20,8 +20,8 @@ pub(crate) struct Entry<'a> {
 
 /// Relative bias with interval and bound for each entry.
 pub(crate) fn figure(entries: &[Entry], name: &'static str, heading: &str, title: &str) -> Figure {
-    let words = "Each row is a mean: the marker is bias / truth, the thick line its interval, the thin ticks of a row that \
-                 did not fail ± the largest bias still allowed. A right estimator’s interval holds zero. \
+    let words = "Each row is a mean: the marker is bias / |truth| (where the truth is 0: bias / standard \
+                 deviation), the thick line its interval, the thin ticks of a row that did not fail ± the largest bias still allowed. A right estimator’s interval holds zero. \
                  Rows beyond the axis end in an arrow with their value."
         .into();
     Figure { name, picture: picture(entries, title), heading: heading.into(), words }
@@ -68,7 +68,7 @@ fn look(verdict: Verdict) -> (Mark, Ink) {
 
 /// Enough for every row that did not fail, and for no row that would flatten the others.
 fn room(entries: &[Entry]) -> f64 {
-    let relative = |e: &Entry| reach([e.mean.bound.0, e.mean.low.0, e.mean.high.0]) / e.mean.expected.0.abs();
+    let relative = |e: &Entry| reach([e.mean.bound.0, e.mean.low.0, e.mean.high.0]) / unit(e);
     let mut passed: Vec<f64> = entries.iter().filter(|e| e.verdict == Verdict::Pass).map(relative).collect();
     passed.retain(|x| x.is_finite() && *x > 0.0);
     let all = reach(entries.iter().map(relative));
@@ -80,7 +80,13 @@ fn room(entries: &[Entry]) -> f64 {
 }
 
 fn relative_bias(entry: &Entry) -> f64 {
-    entry.mean.bias.0 / entry.mean.expected.0.abs()
+    entry.mean.bias.0 / unit(entry)
+}
+
+/// What a row is measured in: |truth|, and for a truth of 0, to which nothing is relative, the standard deviation of a draw.
+fn unit(entry: &Entry) -> f64 {
+    let truth = entry.mean.expected.0.abs();
+    if truth > 0.0 { truth } else { entry.mean.variance.0.sqrt() }
 }
 
 /// The words at the end of a row whose marker has no place on the axis.
@@ -94,9 +100,9 @@ fn remark(bias: f64, room: f64) -> Option<String> {
 
 fn row(picture: &mut Picture, frame: &Frame, entry: &Entry, y: f64) {
     let (mark, ink) = look(entry.verdict);
-    let truth = entry.mean.expected.0.abs();
+    let unit = unit(entry);
     let bias = relative_bias(entry);
-    let [low, high, bound] = [entry.mean.low, entry.mean.high, entry.mean.bound].map(|x| x.0 / truth);
+    let [low, high, bound] = [entry.mean.low, entry.mean.high, entry.mean.bound].map(|x| x.0 / unit);
     if let Some(remark) = remark(bias, frame.x.hi) {
         picture.text((frame.right + 8.0, y), remark, SMALL, Ink::Muted, Align::Left);
     }

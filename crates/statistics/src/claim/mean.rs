@@ -103,7 +103,7 @@ fn gate(
     if let Some((reason, why)) = hypothesis::unseen_noise(sums, claim, interval.method) {
         return Some((reason, format!("{name}: {why}")));
     }
-    let open = !(bound < expected) && interval.method != Method::Exact;
+    let open = interval.method != Method::Exact && !claim.is_resolved(sums, bound);
     let why = || format!("{name}: the interval still allows an error of {bound:.2e}, the mean is {expected:.2e}");
     open.then(|| (Reason::RareEvent, why()))
 }

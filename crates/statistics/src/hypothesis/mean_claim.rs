@@ -1,3 +1,5 @@
+use crate::tally::PowerSums;
+
 /// The claim on a mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanClaim {
@@ -13,4 +15,37 @@ pub struct MeanClaim {
     pub variance: Option<f64>,
     /// Exact skewness, or a size that it cannot be far below, where known; NaN if not.
     pub skewness: Option<f64>,
+}
+
+impl MeanClaim {
+    /// The size that a relative error is relative to, |E X|.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.expected.abs()
+    }
+
+    /// A bound on the error tells something: it is below the size of the mean, or draws of both signs were seen, whose mean
+    /// may lie as near 0 as it likes. A mean whose draws have one sign is resolved by no bound that still allows 0.
+    #[must_use]
+    pub fn is_resolved(&self, sums: &PowerSums, bound: f64) -> bool {
+        bound < self.size() || (sums.least < 0.0 && sums.greatest > 0.0 && bound.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resolved(expected: f64, draws: &[f64], bound: f64) -> bool {
+        let claim = MeanClaim { expected, slack: 0.0, binary: false, range: None, variance: None, skewness: None };
+        claim.is_resolved(&PowerSums::of(expected, draws), bound)
+    }
+
+    #[test]
+    fn a_mean_is_resolved_by_its_size_or_by_draws_that_cancel() {
+        assert!(resolved(-2.0, &[-3.0, -1.0], 0.1) && resolved(2.0, &[3.0, 1.0], 0.1));
+        assert!(!resolved(-2.0, &[-3.0, -1.0], 2.5) && !resolved(2.0, &[3.0, 1.0], f64::NAN));
+        assert!(resolved(0.0, &[-1.0, 1.0], 0.1) && !resolved(0.0, &[-1.0, 1.0], f64::NAN));
+        assert!(!resolved(0.0, &[0.0, 0.0], 0.1), "the draws that would cancel were not seen");
+    }
 }

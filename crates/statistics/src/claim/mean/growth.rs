@@ -14,7 +14,7 @@ pub(super) fn test<'a>(claim: &'a WeightClaim, asked: &Asked) -> SequentialTest<
     let bernstein =
         |range| EmpiricalBernstein::new(truth.expected, range, truth.variance, asked.draws, asked.budget);
     SequentialTest {
-        asked: asked.bound.of(truth.expected),
+        asked: asked.bound.of(truth.size()),
         slack: truth.slack,
         what: "|bias|",
         reason: Reason::Biased,
@@ -31,7 +31,7 @@ pub(super) fn test<'a>(claim: &'a WeightClaim, asked: &Asked) -> SequentialTest<
 #[must_use]
 pub fn bets(truth: &MeanClaim, bound: Option<BiasBound>) -> Option<Bets> {
     let MeanClaim { expected, slack, binary, range, variance, .. } = *truth;
-    let bound = bound?.of(expected) - slack;
+    let bound = bound?.of(truth.size()) - slack;
     Some(Bets::new(expected, slack, range?, variance, bound)).filter(|_| !binary)
 }
 
