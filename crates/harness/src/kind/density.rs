@@ -71,12 +71,7 @@ impl Kind for Density {
         rows(Place::Only)
     }
 
-    fn draw(
-        sampler: &Self::Sampler<'_>,
-        target: &Arc<Target>,
-        context: &DrawContext,
-        out: &mut Draws,
-    ) -> Looked {
+    fn draw(sampler: &Self::Sampler<'_>, target: &Arc<Target>, context: &DrawContext, out: &mut Draws) -> Looked {
         match context.route {
             Route::Block => sampler.sample_block(target, context.streams, out),
             Route::Scalar => {

@@ -83,7 +83,8 @@ impl Kind for Direction {
             Route::Block => sampler.sample_block(truth.normal(), context.streams, out),
             Route::Scalar => {
                 let mut rng = context.streams.rng();
-                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| sampler.sample(truth.normal(), &mut rng)).collect();
+                let drawn: Vec<Drawn> =
+                    (0..out.rows()).map(|_| sampler.sample(truth.normal(), &mut rng)).collect();
                 write(&drawn, 0, out);
             }
         }

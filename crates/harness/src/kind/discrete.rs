@@ -64,7 +64,8 @@ impl Kind for Discrete {
         _: &[Withdrawal],
     ) -> Result<Arc<Categories>, String> {
         let right = placed.tables().clone();
-        let seen = faults.iter().fold(right, |tables, fault| fault.injection().alter_tables(placed.weights(), tables));
+        let seen =
+            faults.iter().fold(right, |tables, fault| fault.injection().alter_tables(placed.weights(), tables));
         let categories = Arc::unwrap_or_clone(placed);
         Ok(Arc::new(categories.with_tables(seen)))
     }

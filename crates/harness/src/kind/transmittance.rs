@@ -1,5 +1,5 @@
-use super::{Kind, KindOf, Outline, Refusal, Source};
 use super::ray::{Methods, PlacedRay, Ray, draw};
+use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::agree::Agreement;
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
@@ -8,9 +8,11 @@ use crate::samples::{Place, RowFormat};
 use crate::scene::Scene;
 use freepath_draws::{Draws, PathColumns, Row, Streams, column};
 use freepath_estimators::transmittance::AnyTransmittance;
-use freepath_estimators::{Capability, Extinction, FreePath, MajorantChoice, ParameterError, TransmittanceEstimator};
-use freepath_statistics::claim::Withdrawal;
+use freepath_estimators::{
+    Capability, Extinction, FreePath, MajorantChoice, ParameterError, TransmittanceEstimator,
+};
 use freepath_statistics::Fact;
+use freepath_statistics::claim::Withdrawal;
 use rand::Rng;
 
 mod control;

@@ -44,8 +44,12 @@ impl Density1d {
                 Err(ParameterError::unusable("breaks", "they belong to a `pdf`, which is integrated between them"))
             }
             (None, Some(cdf)) => Target::of_cdf(cdf, self.domain, &self.atoms),
-            (None, None) => Err(ParameterError::unusable("pdf", "it is missing, and so is `cdf`: exactly one is needed")),
-            (Some(_), Some(_)) => Err(ParameterError::unusable("cdf", "`pdf` is there, too: exactly one is needed")),
+            (None, None) => {
+                Err(ParameterError::unusable("pdf", "it is missing, and so is `cdf`: exactly one is needed"))
+            }
+            (Some(_), Some(_)) => {
+                Err(ParameterError::unusable("cdf", "`pdf` is there, too: exactly one is needed"))
+            }
         }
     }
 }

@@ -38,7 +38,6 @@ impl StatedScene for Number {
             require(low <= self.value && self.value <= high, "value", self.value, "inside the range")?;
         }
         let variance = self.variance.unwrap_or(0.0);
-        require(variance >= 0.0 && variance.is_finite(), "variance", variance, "finite and not negative")
-            .map(drop)
+        require(variance >= 0.0 && variance.is_finite(), "variance", variance, "finite and not negative").map(drop)
     }
 }

@@ -1,24 +1,24 @@
 use super::Chromatic;
 use crate::experiment::{Plan, Terms};
 use crate::kind::column_order::OrderedColumn;
-use crate::kind::{Source, batches};
-use freepath_draws::column::{T, channel};
 use crate::kind::escaping;
 use crate::kind::events::{EventMean, Events, weights};
 use crate::kind::weighing::{Weighing, bins};
+use crate::kind::{Source, batches};
+use freepath_draws::column::{T, channel};
 use freepath_draws::quadrature::{Integral, Panels, decays};
+use freepath_estimators::ChromaticSampler;
 use freepath_estimators::claims::{Channel, ChromaticClaims};
 use freepath_estimators::medium::ChromaticMedium;
-use freepath_estimators::ChromaticSampler;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    BerkJonesClaim, BreaksClaim, Claims, EnoughRows, Escaping, Evenness, InsideRay, LawClaim, ObservedOrder, Order, Path, PdfIntegral, TiesClaim, Written,
-    Withdrawal,
+    BerkJonesClaim, BreaksClaim, Claims, EnoughRows, Escaping, Evenness, InsideRay, LawClaim, ObservedOrder,
+    Order, Path, PdfIntegral, TiesClaim, Withdrawal, Written,
 };
 use freepath_statistics::fold::{Breaks, Cells, Ends, Event, Lags, Lookups, Strays, Ties, Values};
 use freepath_statistics::hypothesis::{PdfMass, pair_probability};
-use freepath_statistics::{Grain, Law};
 use freepath_statistics::tally::{Bins, Flanks, Scores};
+use freepath_statistics::{Grain, Law};
 use std::sync::Arc;
 
 mod identity;
@@ -41,7 +41,9 @@ pub(super) fn plan<'a>(medium: &'a ChromaticMedium, source: &Source<'a, Chromati
     }
     match &said.mixture {
         Some(mixture) => law(medium, mixture, terms, &mut claims),
-        None => Events::path(medium.length(), Escaping { share: f64::NAN, remedy: escaping::of_sampler }, &mut claims),
+        None => {
+            Events::path(medium.length(), Escaping { share: f64::NAN, remedy: escaping::of_sampler }, &mut claims)
+        }
     }
     Events::rows(medium.media().len(), &mut claims);
     if let Some(mass) = source.sampler().filter(|_| known).and_then(|sampler| mass(sampler, medium)) {

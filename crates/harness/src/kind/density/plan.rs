@@ -2,12 +2,12 @@ use crate::experiment::{Plan, Terms};
 use crate::kind::batches;
 use freepath_estimators::density::{Target, X};
 use freepath_results::Reason;
-use freepath_statistics::{Grain, Law};
 use freepath_statistics::claim::{
     AtomsClaim, Claims, Domain, EnoughRows, Evenness, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
 };
 use freepath_statistics::fold::{Cells, FoldId, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
+use freepath_statistics::{Grain, Law};
 use std::sync::Arc;
 
 /// Numbers lie where there is mass, and their ranks are uniform but for the atoms.

@@ -38,7 +38,11 @@ pub(super) fn not_unit(draws: &Draws, tolerance: f64) -> Option<Fact> {
     directions(draws).into_iter().find(|&w| !is_unit(w, tolerance)).map(|[x, y, z]| {
         let length = (x * x + y * y + z * z).sqrt();
         let words = format!("the direction {x:e}, {y:e}, {z:e} has the length {length}, not 1");
-        Fact::new(check::SUPPORT.name, if length.is_nan() { Reason::NonFinite } else { Reason::OutOfSupport }, words)
+        Fact::new(
+            check::SUPPORT.name,
+            if length.is_nan() { Reason::NonFinite } else { Reason::OutOfSupport },
+            words,
+        )
     })
 }
 

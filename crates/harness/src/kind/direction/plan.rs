@@ -4,8 +4,8 @@ use crate::kind::{Direction, Source, batches};
 use freepath_estimators::direction::{Directions, Ranks};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Claims, Domain, EnoughRows, Evenness, JointRanks, LawAgreement, LawClaim, ObservedOrder, Order, PdfIntegral, SecondRank,
-    Withdrawal, joint_rank,
+    Claims, Domain, EnoughRows, Evenness, JointRanks, LawAgreement, LawClaim, ObservedOrder, Order, PdfIntegral,
+    SecondRank, Withdrawal, joint_rank,
 };
 use freepath_statistics::fold::{Cells, FoldId, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;

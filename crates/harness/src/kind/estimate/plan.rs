@@ -6,7 +6,8 @@ use crate::scene::Number;
 use freepath_draws::column::WEIGHT;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    BoundedMean, Claims, EnoughRows, Estimates, MeanAgreement, Moments, NoiseFree, Spread, WeightClaim, Withdrawal, bets, bounds, portfolio,
+    BoundedMean, Claims, EnoughRows, Estimates, MeanAgreement, Moments, NoiseFree, Spread, WeightClaim,
+    Withdrawal, bets, bounds, portfolio,
 };
 use freepath_statistics::fold::{Batched, CapitalSums, WealthSums, Weights};
 use freepath_statistics::hypothesis::MeanClaim;
@@ -28,7 +29,14 @@ pub(super) fn plan<'a>(number: &Number, source: &Source<Estimate>, terms: &Terms
     let fold = |bets| CapitalSums { column: WEIGHT, bets };
     let capitals = bets(&truth, terms.bias_bound).map(|bets| claims.folds.add(fold(bets)));
     claims.push(WeightClaim { weights, truth, own: None, order: None, capitals });
-    batches::mean(("mean", Reason::Biased), Moments::Column(weights), Batched::column(WEIGHT), truth, terms, &mut claims);
+    batches::mean(
+        ("mean", Reason::Biased),
+        Moments::Column(weights),
+        Batched::column(WEIGHT),
+        truth,
+        terms,
+        &mut claims,
+    );
     if bounds(&truth) && terms.stands(Withdrawal::Independent) {
         let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
         let wealth = portfolio(&truth).map(|portfolio| claims.folds.add(fold(portfolio)));

@@ -7,17 +7,18 @@ use freepath_estimators::FreePathSampler;
 use freepath_estimators::claims::FreePathClaims;
 use freepath_results::Reason;
 use freepath_statistics::CellIndex;
-use freepath_statistics::{Grain, Law};
 use freepath_statistics::claim::{
-    AuxiliaryClaim, Bounded, Claims, ColemanClaim, EnoughRows, Escaping, Evenness, InsideRay, LawAgreement, LawClaim,
-    LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim, UnitWeightClaim,
-    Vacuum, Withdrawal, Written,
+    AuxiliaryClaim, Bounded, Claims, ColemanClaim, EnoughRows, Escaping, Evenness, InsideRay, LawAgreement,
+    LawClaim, LookupsClaim, NullPositionsClaim, ObservedOrder, Order, OwnLaw, Path, SeriesClaim, TiesClaim,
+    UnitWeightClaim, Vacuum, Withdrawal, Written,
 };
 use freepath_statistics::fold::{
-    Auxiliary, Cells, Collisions, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties, UnitWeight, Values,
+    Auxiliary, Cells, Collisions, FoldId, Folds, Histogram, Lags, Lookups, Nulls, Sentinel, Strays, Ties,
+    UnitWeight, Values,
 };
 use freepath_statistics::hypothesis::{Cost, pair_probability};
 use freepath_statistics::tally::Scores;
+use freepath_statistics::{Grain, Law};
 use std::sync::Arc;
 
 mod within_cells;

@@ -1,14 +1,14 @@
 use crate::experiment::{Plan, Terms};
-use crate::kind::column_order::OrderedColumn;
 use crate::kind::Ray;
+use crate::kind::column_order::OrderedColumn;
 use crate::kind::escaping;
 use crate::kind::events::{EventMean, Events, weights};
 use crate::kind::weighing::{Weighing, bins};
 use freepath_draws::column::{T, channel};
+use freepath_statistics::Law;
 use freepath_statistics::claim::{Claims, EnoughRows, Escaping, InsideRay, Withdrawal};
 use freepath_statistics::fold::{Event, Lookups};
 use freepath_statistics::tally::Bins;
-use freepath_statistics::Law;
 
 /// Weighted free paths, as a file may hold them: a single channel without absorption.
 pub(super) fn plan<'a>(ray: Ray<'a>, terms: &Terms) -> Plan<'a> {

@@ -2,15 +2,18 @@ use super::Transmittance;
 use crate::experiment::{Plan, Terms};
 use crate::kind::column_order::OrderedColumn;
 use crate::kind::{Ray, Source, batches};
-use freepath_draws::column::{COLLISIONS, WEIGHT};
 use crate::subject::Route;
+use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Bounded, BoundedMean, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement, Moments,
-    NoiseFree, OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets, bounds, portfolio,
+    Bounded, BoundedMean, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement,
+    Moments, NoiseFree, OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets, bounds,
+    portfolio,
 };
-use freepath_statistics::fold::{Batched, CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights};
+use freepath_statistics::fold::{
+    Batched, CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights,
+};
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 
 /// The claims of the estimator: of a file nothing that is not true of any right estimator.
@@ -59,14 +62,14 @@ impl Mean {
             variance: terms.declared.variance(variance),
             skewness,
         };
-        let own = |expected| MeanClaim { expected, slack: terms.tolerance + (1e-10 + claims.moments_error) * transmittance, ..truth };
+        let own = |expected| MeanClaim {
+            expected,
+            slack: terms.tolerance + (1e-10 + claims.moments_error) * transmittance,
+            ..truth
+        };
         let known = terms.stands(Withdrawal::Truth);
         let second = known && !claims.binary && terms.stands(Withdrawal::SecondMoment);
-        Self {
-            truth,
-            own: claims.own_mean.map(own).filter(|_| known),
-            moments: claims.moments.filter(|_| second),
-        }
+        Self { truth, own: claims.own_mean.map(own).filter(|_| known), moments: claims.moments.filter(|_| second) }
     }
 }
 
