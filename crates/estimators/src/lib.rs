@@ -38,6 +38,7 @@ mod majorants;
 pub mod medium;
 pub mod parameter;
 mod path;
+pub mod table_2d;
 pub mod transmittance;
 pub mod woodcock;
 
@@ -57,4 +58,5 @@ pub use majorant_choice::MajorantChoice;
 pub use majorants::Majorants;
 pub use parameter::ParameterError;
 pub use path::{AuxiliaryPath, FreePath};
+pub use table_2d::Table2dSampler;
 pub use transmittance::TransmittanceEstimator;

@@ -11,10 +11,12 @@ mod channels;
 mod draws;
 mod faulty_medium;
 mod faulty_rng;
+mod faulty_words;
 mod injection;
 mod layer;
 mod lookups;
 mod majorants;
+mod numbers;
 mod overlay;
 mod tables;
 mod target;
@@ -26,6 +28,7 @@ pub(crate) use block_context::BlockContext;
 pub use channel_mixture::ChannelMixture;
 pub(crate) use faulty_medium::FaultyMedium;
 pub(crate) use faulty_rng::FaultyRng;
+pub(crate) use faulty_words::FaultyWords;
 pub(crate) use injection::Injection;
 pub(crate) use layer::Layer;
 pub(crate) use overlay::{Overlay, RayView, WalkContext};
@@ -123,6 +126,9 @@ faults! {
     tables::broken_alias::BrokenAlias: "the pairing of an alias table ends at the first tie",
     tables::shifted_alias::ShiftedAlias: "aliases are off by one",
     tables::swapped_alias::SwappedAlias: "the alias of a cell is taken for its own category",
+    tables::half_texel::HalfTexel: "the cells of a table lie half a cell further on",
+    tables::conditional_of_neighbour_row::ConditionalOfNeighbourRow: "the cell is drawn from the conditional law of the next row",
+    numbers::reused_uniform::ReusedUniform: "the second uniform of a draw is the first one once more",
     draws::same_seed::SameSeed: "workers share a seed",
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",
     draws::nan_draw::NanDraw: "one walk of so many gives NaN",

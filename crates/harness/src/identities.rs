@@ -15,6 +15,7 @@
 //! | `identity_counts` | one tentative collision for each real one where every one is real |
 //! | `identity_pdf` | the density that a sampler returns is that of its claims |
 //! | `identity_table` | the table that a sampler keeps holds the probabilities of the scene |
+//! | `identity_inverse` | a sampler gives back the uniforms that a draw was made of |
 //!
 //! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
 
@@ -27,6 +28,7 @@ pub(crate) mod counts;
 pub(crate) mod density;
 mod excess;
 pub(crate) mod history;
+pub(crate) mod inverse;
 pub(crate) mod medium;
 mod rays;
 pub(crate) mod reproducible;
@@ -38,6 +40,7 @@ pub(crate) mod zero_variance;
 pub(crate) use composition::composition;
 pub(crate) use counts::counts;
 pub(crate) use density::density;
+pub(crate) use inverse::inverse;
 pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
 pub(crate) use roulette::roulette;

@@ -24,6 +24,7 @@ mod outline;
 mod placed;
 mod ray;
 mod samples;
+mod two_ranks;
 mod weighing;
 
 pub use body::Body;
@@ -48,6 +49,8 @@ kinds! {
     direction::Direction,
     /// A sampler of a category.
     discrete::Discrete,
+    /// A sampler of a table over a rectangle.
+    table_2d::Table2d,
 }
 
 /// The kind that a sampler's trait belongs to.

@@ -86,7 +86,7 @@ fn sample_watched(
     let watch = watch.map(RefCell::new);
     let context = DrawContext {
         streams: &streams,
-        route: subject.route,
+        route: subject.driven(),
         faults: subject.faults,
         budget,
         rounding: if subject.bits <= 24 { 1e-6 } else { 1e-12 },

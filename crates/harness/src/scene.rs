@@ -80,6 +80,7 @@ scenes! {
     density_1d::Density1d,
     directions::Directions,
     discrete::Discrete,
+    grid::Grid,
     number::Number,
 }
 

@@ -74,6 +74,12 @@ impl<'a> Subject<'a> {
         self.route == Route::Scalar || Fault::need_scalar(self.faults)
     }
 
+    /// The method that is driven in the end.
+    #[must_use]
+    pub(crate) fn driven(&self) -> Route {
+        if self.one_by_one() { Route::Scalar } else { Route::Block }
+    }
+
     /// The terms of its claims.
     #[must_use]
     pub(crate) fn terms(&self) -> Terms<'a> {
@@ -86,7 +92,7 @@ impl<'a> Subject<'a> {
             bias_bound: self.bias_bound,
             without: self.without,
             declared: self.declared,
-            route: if self.one_by_one() { Route::Scalar } else { Route::Block },
+            route: self.driven(),
         }
     }
 

@@ -15,4 +15,5 @@ mod laws;
 mod order;
 mod path;
 mod ramp;
+mod table_2d;
 mod walks;

@@ -65,6 +65,7 @@ fn example(folder: &Path, kind: &str, name: &str) -> Value {
 const TABLES: &[(&str, &str)] = &[
     ("chromatic", "t,event,w0,w1,w2\n0.5,scatter,1,1,1\n2,surface,1,1,1\n"),
     ("direction", "x,y,z\n0,0,1\n0,0.6,0.8\n"),
+    ("table_2d", "x,y\n0.25,0.75\n0.5,0.125\n"),
 ];
 
 #[test]
@@ -99,6 +100,8 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let channels =
         json!({ "medium": { "chromatic": { "sigma_t": [0.0, 1.0], "sigma_s": [0.0, 0.0], "length": 2.0 } } });
     let weights = json!({ "scene": { "discrete": { "weights": [2, 1] } } });
+    let grid = json!({ "scene": { "grid": { "values": [[1, 2], [3, 4]] } } });
+    let rows = json!({ "table_2d": { "marginal_conditional": {} } });
     let grey = [
         json!({ "free_path": { "delta_tracking": {} } }),
         json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
@@ -109,7 +112,8 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let tables = [json!({ "discrete": { "alias": {} } }), json!({ "discrete": { "cdf_search": {} } })];
     let places = grey.iter().map(|subject| (&cells, subject));
     let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
-    let places: Vec<_> = places.chain(tables.iter().map(|subject| (&weights, subject))).collect();
+    let places = places.chain(tables.iter().map(|subject| (&weights, subject)));
+    let places: Vec<_> = places.chain([(&grid, &rows)]).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
         let fits = places.iter().any(|(scene, subject)| {

@@ -68,14 +68,14 @@ impl Fault {
     pub(crate) fn alters_lookups(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::LookUps | Layer::Walk | Layer::Uniforms => true,
-            Layer::Majorants | Layer::Tables | Layer::Draws | Layer::Channels => false,
+            Layer::Majorants | Layer::Numbers | Layer::Tables | Layer::Draws | Layer::Channels => false,
         })
     }
 
     /// True if any of `faults` can only be laid over one walk at a time.
     pub(crate) fn need_scalar(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
-            Layer::Walk | Layer::Uniforms => true,
+            Layer::Walk | Layer::Uniforms | Layer::Numbers => true,
             Layer::Majorants | Layer::LookUps | Layer::Tables | Layer::Draws | Layer::Channels => false,
         })
     }

@@ -1,6 +1,7 @@
 use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::discrete::Tables;
+use freepath_estimators::table_2d::{Grid, GridTables};
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// The injections of a fault in each place where one can be laid; provided: none.
@@ -34,6 +35,16 @@ pub(crate) trait Injection: Send + Sync {
     /// The tables that the subject is given in place of those made of `weights`.
     fn alter_tables(&self, _weights: &[f64], tables: Tables) -> Tables {
         tables
+    }
+
+    /// The tables that the subject is given in place of those made of `grid`.
+    fn alter_grid(&self, _grid: &Grid, tables: GridTables) -> GridTables {
+        tables
+    }
+
+    /// The overlay between one draw without a ray and its uniforms.
+    fn words(&self) -> Option<Box<dyn Overlay + '_>> {
+        None
     }
 
     /// Changes what the subject sees of the ray beside mu.

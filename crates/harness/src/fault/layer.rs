@@ -9,6 +9,8 @@ pub(crate) enum Layer {
     Walk,
     /// The uniforms of one walk at a time: by the scalar method.
     Uniforms,
+    /// The uniforms of one draw at a time where there is no ray: by the scalar method.
+    Numbers,
     /// The tables that are made of weights: by the block method.
     Tables,
     /// The draws of a block.

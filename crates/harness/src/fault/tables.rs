@@ -3,6 +3,8 @@
 use super::Layer;
 
 pub(super) mod broken_alias;
+pub(super) mod conditional_of_neighbour_row;
+pub(super) mod half_texel;
 pub(super) mod shifted_alias;
 pub(super) mod swapped_alias;
 pub(super) mod unnormalised_alias;

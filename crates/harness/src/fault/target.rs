@@ -46,11 +46,15 @@ impl Target<'_> {
             (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, None, _) => {
                 Err("it is laid over one extinction along a ray, and there is none".into())
             }
+            (Layer::Numbers, Some(_), _) | (Layer::Numbers, _, Some(_)) => {
+                Err("it is laid over draws without a ray, and here there is one".into())
+            }
             (Layer::Channels, _, None) => {
                 Err("it is laid over the weights of channels, and there are none".into())
             }
             (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, Some(_), _)
             | (Layer::Channels, _, Some(_))
+            | (Layer::Numbers, None, None)
             | (Layer::Tables | Layer::Draws, ..) => Ok(()),
         }
     }

@@ -1,5 +1,6 @@
 use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
+use crate::fault::FaultyWords;
 use crate::identities;
 use crate::samples::{Place, RowFormat};
 use crate::scene::{Density1d, Scene};
@@ -75,8 +76,9 @@ impl Kind for Density {
         match context.route {
             Route::Block => sampler.sample_block(target, context.streams, out),
             Route::Scalar => {
-                let mut rng = context.streams.rng();
-                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| sampler.sample(target, &mut rng)).collect();
+                let (mut rng, words) = (context.streams.rng(), FaultyWords::new(context.faults));
+                let mut draw = || sampler.sample(target, &mut words.begin(&mut rng));
+                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| draw()).collect();
                 write(&drawn, out);
             }
         }

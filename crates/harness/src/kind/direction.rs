@@ -1,5 +1,6 @@
 use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
+use crate::fault::FaultyWords;
 use crate::samples::{ColumnFormat, Fills, Place, Reading, RowFormat};
 use crate::scene::{self, Scene};
 use crate::subject::Route;
@@ -82,9 +83,9 @@ impl Kind for Direction {
         match context.route {
             Route::Block => sampler.sample_block(truth.normal(), context.streams, out),
             Route::Scalar => {
-                let mut rng = context.streams.rng();
-                let drawn: Vec<Drawn> =
-                    (0..out.rows()).map(|_| sampler.sample(truth.normal(), &mut rng)).collect();
+                let (mut rng, words) = (context.streams.rng(), FaultyWords::new(context.faults));
+                let mut draw = || sampler.sample(truth.normal(), &mut words.begin(&mut rng));
+                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| draw()).collect();
                 write(&drawn, 0, out);
             }
         }

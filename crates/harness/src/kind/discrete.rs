@@ -1,6 +1,6 @@
 use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
-use crate::fault::Fault;
+use crate::fault::{Fault, FaultyWords};
 use crate::identities;
 use crate::samples::{Place, RowFormat};
 use crate::scene::{self, Scene};
@@ -95,8 +95,9 @@ impl Kind for Discrete {
         match context.route {
             Route::Block => sampler.sample_block(categories, context.streams, out),
             Route::Scalar => {
-                let mut rng = context.streams.rng();
-                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| sampler.sample(categories, &mut rng)).collect();
+                let (mut rng, words) = (context.streams.rng(), FaultyWords::new(context.faults));
+                let mut draw = || sampler.sample(categories, &mut words.begin(&mut rng));
+                let drawn: Vec<Drawn> = (0..out.rows()).map(|_| draw()).collect();
                 write(&drawn, out);
             }
         }

@@ -1,5 +1,6 @@
 use super::{Kind, KindOf, Outline, Refusal, Source};
 use crate::experiment::{DrawContext, Functional, Looked, Plan, Terms};
+use crate::fault::FaultyWords;
 use crate::samples::{Place, RowFormat};
 use crate::scene::{Number, Scene};
 use crate::subject::Route;
@@ -66,7 +67,7 @@ impl Kind for Estimate {
     fn draw(estimator: &Self::Sampler<'_>, _: &Number, context: &DrawContext, out: &mut Draws) -> Looked {
         match context.route {
             Route::Block => estimator.estimate_block(context.streams, out),
-            Route::Scalar => one_by_one(estimator, context.streams, out),
+            Route::Scalar => one_by_one(estimator, context, out),
         }
         Looked::default()
     }
@@ -94,10 +95,11 @@ impl Kind for Estimate {
     }
 }
 
-fn one_by_one(estimator: &dyn Estimator, streams: &Streams, out: &mut Draws) {
-    let (mut rng, mut columns) = (streams.rng(), PathColumns::of(out));
+fn one_by_one(estimator: &dyn Estimator, context: &DrawContext, out: &mut Draws) {
+    let (mut rng, words) = (context.streams.rng(), FaultyWords::new(context.faults));
+    let mut columns = PathColumns::of(out);
     for row in 0..columns.rows() {
-        let estimate = estimator.estimate(&mut rng);
+        let estimate = estimator.estimate(&mut words.begin(&mut rng));
         columns.put(row, f64::INFINITY, estimate, 0);
     }
 }
