@@ -128,6 +128,7 @@ faults! {
     tables::swapped_alias::SwappedAlias: "the alias of a cell is taken for its own category",
     tables::half_texel::HalfTexel: "the cells of a table lie half a cell further on",
     tables::conditional_of_neighbour_row::ConditionalOfNeighbourRow: "the cell is drawn from the conditional law of the next row",
+    numbers::low_envelope::LowEnvelope: "the envelope of a rejection is lower than it should be",
     numbers::reused_uniform::ReusedUniform: "the second uniform of a draw is the first one once more",
     draws::same_seed::SameSeed: "workers share a seed",
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",

@@ -102,6 +102,8 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let weights = json!({ "scene": { "discrete": { "weights": [2, 1] } } });
     let grid = json!({ "scene": { "grid": { "values": [[1, 2], [3, 4]] } } });
     let rows = json!({ "table_2d": { "marginal_conditional": {} } });
+    let line = json!({ "scene": { "density_1d": { "pdf": "2*x", "domain": [0, 1] } } });
+    let rejected = json!({ "density": { "rejection": { "envelope": 2 } } });
     let grey = [
         json!({ "free_path": { "delta_tracking": {} } }),
         json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
@@ -113,7 +115,7 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let places = grey.iter().map(|subject| (&cells, subject));
     let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
     let places = places.chain(tables.iter().map(|subject| (&weights, subject)));
-    let places: Vec<_> = places.chain([(&grid, &rows)]).collect();
+    let places: Vec<_> = places.chain([(&grid, &rows), (&line, &rejected)]).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
         let fits = places.iter().any(|(scene, subject)| {
