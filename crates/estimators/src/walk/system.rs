@@ -26,6 +26,8 @@ pub enum Steps {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Stated<'a> {
+    /// What H, b and h are called where they are stated.
+    pub names: [&'static str; 3],
     /// H.
     pub coefficients: &'a StatedMatrix,
     /// b.
@@ -76,10 +78,11 @@ impl System {
     /// # Errors
     /// Naming the parameter that makes none, or of which no walk has a mean.
     pub fn new(stated: Stated) -> Result<Self, ParameterError> {
-        let coefficients = stated.coefficients.matrix("coefficients")?;
+        let [h, b, d] = stated.names;
+        let coefficients = stated.coefficients.matrix(h)?;
         let n = coefficients.states();
-        let (source, detector) = (stated.source.numbers("source", n)?, stated.detector.numbers("detector", n)?);
-        refuse_divergence(&coefficients)?;
+        let (source, detector) = (stated.source.numbers(b, n)?, stated.detector.numbers(d, n)?);
+        refuse_divergence(h, &coefficients)?;
         let forward = walker("steps", &coefficients, stated.steps, [&detector, &source])?;
         let turned = coefficients.transposed();
         let adjoint = match (

@@ -74,6 +74,8 @@ impl Start {
             return Self { states: vec![0], probabilities: vec![1.0], below: vec![1.0], weights: vec![0.0] };
         }
         let total: f64 = states.iter().map(|&i| numbers[i].abs()).sum();
+        // a law on the states weighs 1, not what rounding makes of it
+        let total = if (total - 1.0).abs() <= ROUNDING { 1.0 } else { total };
         let weights = states.iter().map(|&i| if numbers[i] > 0.0 { total } else { -total }).collect();
         let probabilities: Vec<f64> = states.iter().map(|&i| numbers[i].abs() / total).collect();
         Self { below: sums(&probabilities, true), states, probabilities, weights }

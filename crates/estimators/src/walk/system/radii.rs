@@ -7,7 +7,7 @@ const MOST: usize = 256;
 const SQUARINGS: i32 = 40;
 
 /// Refuses coefficients whose series does not converge absolutely: then no walk has a mean.
-pub(super) fn refuse_divergence(coefficients: &Matrix) -> Result<(), ParameterError> {
+pub(super) fn refuse_divergence(name: &'static str, coefficients: &Matrix) -> Result<(), ParameterError> {
     let sizes = coefficients.map(f64::abs);
     if sizes.contracts() {
         return Ok(());
@@ -23,7 +23,7 @@ pub(super) fn refuse_divergence(coefficients: &Matrix) -> Result<(), ParameterEr
         ),
         None => format!("the spectral radius of |H| is {absolute:.10}: no walk has a mean (it must be below 1)"),
     };
-    Err(ParameterError::unusable("coefficients", why))
+    Err(ParameterError::unusable(name, why))
 }
 
 /// lim |H^k|^(1/k) (Gelfand 1941), by squaring, which complex pairs do not disturb; none of too many states.

@@ -11,7 +11,8 @@ fn one(state: usize) -> StatedVector {
 }
 
 fn system(coefficients: &StatedMatrix, source: &StatedVector, steps: Option<&Steps>) -> Result<System, String> {
-    let stated = Stated { coefficients, source, detector: &one(0), steps, adjoint_steps: None };
+    let names = ["coefficients", "source", "detector"];
+    let stated = Stated { names, coefficients, source, detector: &one(0), steps, adjoint_steps: None };
     System::new(stated).map_err(|error| error.to_string())
 }
 
