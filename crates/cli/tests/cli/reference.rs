@@ -102,6 +102,9 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let weights = json!({ "scene": { "discrete": { "weights": [2, 1] } } });
     let grid = json!({ "scene": { "grid": { "values": [[1, 2], [3, 4]] } } });
     let rows = json!({ "table_2d": { "marginal_conditional": {} } });
+    let chain =
+        json!({ "scene": { "chain": { "start": [1, 0], "transition": [[0.1, 0.4], [0.2, 0.3]], "state": 0 } } });
+    let walks = [json!({ "walk": { "absorption": {} } }), json!({ "walk": { "collision": {} } })];
     let grey = [
         json!({ "free_path": { "delta_tracking": {} } }),
         json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
@@ -113,6 +116,7 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let places = grey.iter().map(|subject| (&cells, subject));
     let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
     let places = places.chain(tables.iter().map(|subject| (&weights, subject)));
+    let places = places.chain(walks.iter().map(|subject| (&chain, subject)));
     let places: Vec<_> = places.chain([(&grid, &rows)]).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());

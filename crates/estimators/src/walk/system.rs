@@ -1,13 +1,16 @@
-use super::matrix::{Listed, Matrix};
+use super::matrix::Matrix;
 use super::stated::{StatedMatrix, StatedVector};
-use super::walker::{ROUNDING, Scoring, Start, Walker, sums};
-use crate::parameter::{ParameterError, require};
+use super::walker::{Scoring, Walker};
+use crate::parameter::ParameterError;
 use radii::refuse_divergence;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tables::walker;
 
 mod guided;
 mod radii;
+mod steps;
+mod tables;
 
 /// The probabilities of the steps of a walk.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -139,13 +142,23 @@ impl System {
         }
     }
 
-    /// The tables of a way to walk, to be changed.
+    /// The same system, the tables of each way to walk changed.
     #[must_use]
-    pub fn walkers_mut(&mut self) -> Vec<&mut Walker> {
-        [Some(&mut self.forward), self.adjoint.as_mut().ok(), self.guided.as_mut().ok()]
-            .into_iter()
-            .flatten()
-            .collect()
+    pub fn with_walkers(mut self, change: impl Fn(&mut Walker)) -> Self {
+        let (adjoint, guided) = (self.adjoint.as_mut().ok(), self.guided.as_mut().ok());
+        [Some(&mut self.forward), adjoint, guided].into_iter().flatten().for_each(change);
+        self
+    }
+
+    /// The same system, each walk with the steps of the other side: from the detector along H^T.
+    ///
+    /// # Errors
+    /// If there is no adjoint walk, in words.
+    pub fn with_steps_exchanged(mut self) -> Result<Self, String> {
+        let (forward, adjoint) = (self.forward.clone(), self.adjoint.clone()?);
+        self.forward = forward.clone().with_steps_of(&adjoint);
+        self.adjoint = Ok(adjoint.with_steps_of(&forward));
+        Ok(self)
     }
 
     /// Refuses a method that the system does not allow.
@@ -165,160 +178,6 @@ impl System {
             (Scoring::End, None) | (Scoring::Visits, _) => Ok(()),
         }
     }
-}
-
-/// The walk along `coefficients` from the first vector, scoring the second.
-fn walker(
-    name: &'static str,
-    coefficients: &Matrix,
-    steps: Option<&Steps>,
-    [from, scored]: [&[f64]; 2],
-) -> Result<Walker, ParameterError> {
-    let (coefficients, probability) = probabilities(name, coefficients, steps)?;
-    let kill = kills(name, &probability)?;
-    let walker = tables(Start::by_size(from), &coefficients, probability, kill, scored);
-    let why = "some states have no end within reach: a walk from there never stops";
-    if walker.probability.contracts() { Ok(walker) } else { Err(ParameterError::unusable(name, why)) }
-}
-
-/// The tables of a walk with these probabilities.
-fn tables(start: Start, coefficients: &Matrix, probability: Matrix, kill: Vec<f64>, scored: &[f64]) -> Walker {
-    let weight = coefficients.with(&probability, |h, p| if h == 0.0 { 0.0 } else { h / p });
-    let end = scored.iter().zip(&kill).map(|(b, p)| if *p > 0.0 { b / p } else { 0.0 }).collect();
-    let below = running(&probability, &kill);
-    let (passed, last) = (scored.to_vec(), scored.to_vec());
-    Walker { start, probability, below, weight, kill, passed, last, end, first: 1.0 }
-}
-
-/// The sums of probabilities up to each; of a row without an end the last one is beyond every uniform.
-pub(super) fn running(probability: &Matrix, kill: &[f64]) -> Matrix {
-    match probability {
-        Matrix::Alike { .. } => probability.clone(),
-        Matrix::Listed(listed) => {
-            let row = |i: usize| {
-                let below = sums(listed.entries(i), kill[i] <= 0.0);
-                listed.columns(i).iter().copied().zip(below).collect()
-            };
-            Matrix::Listed(Listed::of(&(0..kill.len()).map(row).collect::<Vec<_>>()))
-        }
-    }
-}
-
-/// The probability of an end in each state: what the steps leave of 1.
-fn kills(name: &'static str, probability: &Matrix) -> Result<Vec<f64>, ParameterError> {
-    let rest = |(i, sum): (usize, f64)| {
-        let why = || {
-            ParameterError::unusable(
-                name,
-                format!("row {i} sums up to {sum} (1 at the most; state the steps of the walk)"),
-            )
-        };
-        let rest = 1.0 - sum;
-        if !(rest >= -ROUNDING) {
-            return Err(why());
-        }
-        Ok(if rest > ROUNDING { rest } else { 0.0 })
-    };
-    probability.row_sums().into_iter().enumerate().map(rest).collect()
-}
-
-/// Coefficients and probabilities at the same places.
-fn probabilities(
-    name: &'static str,
-    coefficients: &Matrix,
-    steps: Option<&Steps>,
-) -> Result<(Matrix, Matrix), ParameterError> {
-    let sizes = coefficients.map(f64::abs);
-    match steps {
-        None => Ok((coefficients.clone(), sizes)),
-        Some(&Steps::Survival(survival)) => {
-            require(survival > 0.0 && survival <= 1.0, name, survival, "a probability above 0, or a matrix")?;
-            Ok((coefficients.clone(), scaled(&sizes, survival)))
-        }
-        Some(Steps::Matrix(stated)) => aligned(name, coefficients, &stated.matrix(name)?),
-    }
-}
-
-/// Rows scaled to one sum.
-pub(super) fn scaled(sizes: &Matrix, sum: f64) -> Matrix {
-    match sizes {
-        Matrix::Alike { states, value } => {
-            Matrix::Alike { states: *states, value: if *value > 0.0 { sum / *states as f64 } else { 0.0 } }
-        }
-        Matrix::Listed(listed) => {
-            let row = |(mut row, whole): (Vec<(usize, f64)>, f64)| {
-                row.iter_mut().for_each(|(_, entry)| *entry *= sum / whole);
-                row
-            };
-            let rows: Vec<_> = listed.rows().into_iter().zip(sizes.row_sums()).map(row).collect();
-            Matrix::Listed(Listed::of(&rows))
-        }
-    }
-}
-
-/// Two matrices at the places of both; a coefficient without a probability is refused.
-fn aligned(
-    name: &'static str,
-    coefficients: &Matrix,
-    probability: &Matrix,
-) -> Result<(Matrix, Matrix), ParameterError> {
-    let (n, other) = (coefficients.states(), probability.states());
-    require(
-        n == other,
-        name,
-        format!("over {other} states"),
-        &format!("over the {n} states of the coefficients"),
-    )?;
-    match (coefficients, probability) {
-        (Matrix::Alike { .. }, Matrix::Alike { value, .. }) => {
-            require(*value >= 0.0, name, value, "not negative")?;
-            Ok((coefficients.clone(), probability.clone()))
-        }
-        (Matrix::Listed(h), Matrix::Listed(p)) => {
-            let (mut left, mut right) = (Vec::with_capacity(n), Vec::with_capacity(n));
-            for i in 0..n {
-                let (h, p) = both(name, i, h.row(i).collect(), p.row(i).collect())?;
-                left.push(h);
-                right.push(p);
-            }
-            Ok((Matrix::Listed(Listed::of(&left)), Matrix::Listed(Listed::of(&right))))
-        }
-        (Matrix::Alike { .. }, Matrix::Listed(_)) | (Matrix::Listed(_), Matrix::Alike { .. }) => {
-            Err(ParameterError::unusable(
-                name,
-                "of coefficients that are all alike they must be alike as well, and of others listed",
-            ))
-        }
-    }
-}
-
-type Row = Vec<(usize, f64)>;
-
-/// One row of each at the places where there is a probability.
-fn both(
-    name: &'static str,
-    i: usize,
-    coefficients: Row,
-    probabilities: Row,
-) -> Result<(Row, Row), ParameterError> {
-    if let Some((j, p)) = probabilities.iter().find(|(_, p)| !(*p > 0.0)) {
-        return Err(ParameterError::unusable(
-            name,
-            format!("the probability of the step from {i} to {j} is {p} (0 or above)"),
-        ));
-    }
-    let place = |j: usize| probabilities.binary_search_by_key(&j, |(column, _)| *column);
-    if let Some((j, h)) = coefficients.iter().find(|(j, _)| place(*j).is_err()) {
-        let why = format!("the step from {i} to {j} has the probability 0, and the coefficient there is {h}");
-        return Err(ParameterError::unusable(name, why));
-    }
-    let mut row: Row = probabilities.iter().map(|(j, _)| (*j, 0.0)).collect();
-    for (j, h) in coefficients {
-        if let Ok(at) = place(j) {
-            row[at].1 = h;
-        }
-    }
-    Ok((row, probabilities))
 }
 
 #[cfg(test)]

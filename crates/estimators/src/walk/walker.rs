@@ -1,4 +1,4 @@
-use super::matrix::Matrix;
+use super::matrix::{Listed, Matrix};
 use freepath_draws::random::uniform;
 
 /// A walk over states: where it starts, how it goes on, what it weighs and scores, as tables that a program makes of its system.
@@ -94,7 +94,7 @@ struct Place {
 }
 
 /// Sums up to each number; the last one is beyond every uniform if `whole`.
-pub(super) fn sums(numbers: &[f64], whole: bool) -> Vec<f64> {
+fn sums(numbers: &[f64], whole: bool) -> Vec<f64> {
     let mut sum = 0.0;
     let mut below: Vec<f64> = numbers
         .iter()
@@ -110,6 +110,20 @@ pub(super) fn sums(numbers: &[f64], whole: bool) -> Vec<f64> {
     below
 }
 
+/// The sums of probabilities up to each; of a row without an end the last one is beyond every uniform.
+pub(super) fn running(probability: &Matrix, kill: &[f64]) -> Matrix {
+    match probability {
+        Matrix::Alike { .. } => probability.clone(),
+        Matrix::Listed(listed) => {
+            let row = |i: usize| {
+                let below = sums(listed.entries(i), kill[i] <= 0.0);
+                listed.columns(i).iter().copied().zip(below).collect()
+            };
+            Matrix::Listed(Listed::of(&(0..kill.len()).map(row).collect::<Vec<_>>()))
+        }
+    }
+}
+
 /// The first sum above `u`.
 fn found(below: &[f64], u: f64) -> Option<usize> {
     let at = below.partition_point(|sum| *sum <= u);
@@ -121,6 +135,26 @@ impl Walker {
     #[must_use]
     pub fn states(&self) -> usize {
         self.probability.states()
+    }
+
+    /// The same start and scores, with the steps of another walk, and its ends.
+    #[must_use]
+    pub fn with_steps_of(self, other: &Self) -> Self {
+        let Self { probability, below, weight, kill, .. } = other.clone();
+        Self { probability, below, weight, kill, ..self }.scored_where_it_ends()
+    }
+
+    /// The same with other probabilities at the same places, each row of which sums up to what `kill` leaves of 1.
+    #[must_use]
+    pub fn with_probabilities(self, probability: Matrix, kill: Vec<f64>) -> Self {
+        let below = running(&probability, &kill);
+        Self { probability, below, kill, ..self }.scored_where_it_ends()
+    }
+
+    /// Scores what it finds in its last state over the probability to end there.
+    fn scored_where_it_ends(mut self) -> Self {
+        self.end = self.last.iter().zip(&self.kill).map(|(b, p)| if *p > 0.0 { b / p } else { 0.0 }).collect();
+        self
     }
 
     /// One walk; none if it visits more than [`MOST_VISITS`] states.

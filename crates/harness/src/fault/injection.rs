@@ -44,8 +44,11 @@ pub(crate) trait Injection: Send + Sync {
     }
 
     /// The system that the subject walks in, with its tables, in place of `system`.
-    fn alter_walks(&self, system: System) -> System {
-        system
+    ///
+    /// # Errors
+    /// If the system has not what the fault takes the place of, in words.
+    fn alter_walks(&self, system: System) -> Result<System, String> {
+        Ok(system)
     }
 
     /// The overlay between one draw without a ray and its uniforms.

@@ -32,6 +32,9 @@ use samples::WalkSamples;
 #[derive(Debug)]
 pub struct Walk;
 
+/// Why a block is not finished.
+const ENDLESS: &str = "a walk visited more than 1048576 states (its system hardly ever ends one)";
+
 impl Walk {
     /// A system, to be walked in as it is.
     #[must_use]
@@ -82,7 +85,8 @@ impl Kind for Walk {
         faults: &[Fault],
         _: &[Withdrawal],
     ) -> Result<Arc<InSystem>, String> {
-        let seen = faults.iter().fold(placed.truth().clone(), |seen, fault| fault.injection().alter_walks(seen));
+        let mut faults = faults.iter();
+        let seen = faults.try_fold(placed.truth().clone(), |seen, fault| fault.injection().alter_walks(seen))?;
         let placed = Arc::try_unwrap(placed).unwrap_or_else(|shared| InSystem::new(shared.truth().clone()));
         Ok(Arc::new(placed.seen_as(seen)))
     }
@@ -124,7 +128,8 @@ impl Kind for Walk {
             Route::Scalar => one_by_one(estimator, &scene.seen, context, out),
         };
         let audit = Audit { lookups: visited.unwrap_or(0), ..Audit::default() };
-        Looked { audit, spent: visited.is_none() }
+        let stopped = visited.is_none().then_some(ENDLESS);
+        Looked { audit, spent: false, stopped }
     }
 
     fn control(scene: &Arc<InSystem>, _: &Streams, out: &mut Draws) {

@@ -1,4 +1,4 @@
-use super::tables;
+use super::tables::tables;
 use crate::walk::matrix::{Listed, Matrix};
 use crate::walk::walker::{Start, Walker};
 

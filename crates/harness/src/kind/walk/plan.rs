@@ -7,16 +7,19 @@ use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_results::Reason;
 use freepath_statistics::Law;
 use freepath_statistics::claim::{
-    BoundedMean, Claims, CountColumn, CountLaw, EfficiencyClaim, EnoughRows, Estimates, InfiniteVariance,
+    BoundedMean, Claims, CountColumn, CountLaw, Domain, EfficiencyClaim, EnoughRows, Estimates, InfiniteVariance,
     LawClaim, LookupsClaim, MeanAgreement, Moments, NoiseFree, SecondMomentClaim, Spread, WeightClaim, Withdrawal,
     bets, bounds, portfolio,
 };
 use freepath_statistics::fold::{
-    Batched, CapitalSums, Cells, Collisions, FoldId, Histogram, Lookups, Rank, Values, WealthSums, Weights,
+    Batched, CapitalSums, Cells, Collisions, FoldId, Histogram, Inside, Lookups, Places, Rank, Values, WealthSums,
+    Weights,
 };
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 use std::sync::Arc;
 
+/// The column of the scores.
+const SCORES: &[&str] = &[WEIGHT];
 /// What elimination may leave of an error, relative to the solution.
 pub(super) const SOLVED: f64 = 1e-11;
 /// A variance below it, relative to the square of the mean, is what cancellation leaves of none.
@@ -146,8 +149,12 @@ impl<'b> Builder<'_, 'b> {
         let (unit, masses) = (counting.unit, counting.masses.clone());
         let law = Arc::new(Law::of_counts(&masses, self.terms.tolerance + SOLVED));
         let last = masses.len() - 1;
+        let inside: Inside = Arc::new(move |row| counted(row[0] / unit, last) >= 0.0);
+        let places = Places { columns: SCORES, inside: inside.clone(), atoms: Vec::new() };
+        let places = self.claims.folds.add(places);
+        self.claims.push(Domain { columns: SCORES, inside, places });
         let of = Arc::new(move |row: &[f64]| counted(row[0] / unit, last));
-        let (values, index) = (Values::Rank(Rank { columns: &[WEIGHT], of }), self.claims.folds.cell_index());
+        let (values, index) = (Values::Rank(Rank { columns: SCORES, of }), self.claims.folds.cell_index());
         let cells = self.claims.folds.add(Cells { values, law: law.clone(), index });
         let (reason, own, breaks) = (Reason::WrongLaw, None, Vec::new());
         let law = LawClaim { law, cells, reason, own, breaks, order: None, grows: false, distances: false };
