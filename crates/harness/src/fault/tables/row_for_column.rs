@@ -2,7 +2,7 @@ use crate::fault::Injection;
 use freepath_estimators::Capability;
 use freepath_estimators::walk::System;
 
-/// Walks go along the transposed matrix, and start and score as along the matrix itself (a typical slip: rows and columns exchanged).
+/// Walks go along the transposed matrix, and start and score as along the matrix itself (a typical slip).
 ///
 /// ```text
 /// right: <h, (1 - H)^-1 b>;   wrong: <h, (1 - H^T)^-1 b>

@@ -2,7 +2,7 @@ use crate::fault::Injection;
 use freepath_estimators::Capability;
 use freepath_estimators::walk::{Listed, Matrix, System, Walker};
 
-/// The state is set to the old one after a step, so that a walk never moves (a step of an algorithm read literally).
+/// The state is set to the old one after a step, so that a walk never moves (a typical slip).
 ///
 /// ```text
 /// right: i := j;   wrong: i := i

@@ -2,7 +2,8 @@ use crate::fault::Injection;
 use freepath_estimators::Capability;
 use freepath_estimators::walk::System;
 
-/// The state where a walk ends is not counted (a typical slip: the loop is left before it scores).
+/// The state where a walk ends is not counted (a typical slip).
+/// The loop is left before it scores.
 ///
 /// ```text
 /// right: visits up to the last state;   wrong: up to the one before it

@@ -2,7 +2,8 @@ use crate::fault::Injection;
 use freepath_estimators::Capability;
 use freepath_estimators::walk::System;
 
-/// The state where a walk starts is not counted (a typical slip: the loop takes a step before it scores).
+/// The state where a walk starts is not counted (a typical slip).
+/// The loop takes a step before it scores.
 ///
 /// ```text
 /// right: visits from the first state on;   wrong: from the second on
