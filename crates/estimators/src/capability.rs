@@ -44,6 +44,12 @@ pub enum Capability {
     Envelope,
     /// Inverts the cumulative table of the rows of a grid, and then that of the cells in the row.
     ConditionalTable,
+    /// Walks over states by the tables of the system, from the detector or from the source.
+    WalkTables,
+    /// Scores a source over the probability to end where a walk ends.
+    EndScore,
+    /// Scores a source in every state that a walk visits.
+    VisitScore,
 }
 
 impl Capability {
@@ -68,6 +74,9 @@ impl Capability {
             Self::AliasTable => "keep an alias table",
             Self::Envelope => "reject under an envelope",
             Self::ConditionalTable => "invert the tables of rows and of cells",
+            Self::WalkTables => "walk by the coefficients of a system",
+            Self::EndScore => "score where a walk ends",
+            Self::VisitScore => "score in every state that a walk visits",
             Self::BalanceHeuristic => "divide by the density of the mixture of channels",
         }
     }

@@ -40,6 +40,7 @@ pub mod parameter;
 mod path;
 pub mod table_2d;
 pub mod transmittance;
+pub mod walk;
 pub mod woodcock;
 
 pub use bounding::Shortfall;
@@ -60,3 +61,4 @@ pub use parameter::ParameterError;
 pub use path::{AuxiliaryPath, FreePath};
 pub use table_2d::Table2dSampler;
 pub use transmittance::TransmittanceEstimator;
+pub use walk::WalkEstimator;

@@ -55,6 +55,8 @@ pub struct Looked {
     pub audit: Audit,
     /// True if there were more than the budget.
     pub spent: bool,
+    /// Why the block was not finished otherwise, in words.
+    pub stopped: Option<&'static str>,
 }
 
 /// The claims on a subject, and what is drawn beside its own draws for them: asked for once, and carried.

@@ -51,6 +51,8 @@ kinds! {
     discrete::Discrete,
     /// A sampler of a table over a rectangle.
     table_2d::Table2d,
+    /// An estimator by random walks over states.
+    walk::Walk,
 }
 
 /// The kind that a sampler's trait belongs to.

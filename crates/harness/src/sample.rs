@@ -99,6 +99,9 @@ fn sample_watched(
         let why = format!("more than {budget} look-ups in a block of {} draws", draws.rows());
         return Err(Unfinished::Spent(why));
     }
+    if let Some(why) = looked.stopped {
+        return Err(Unfinished::Spent(why.into()));
+    }
     if shape != draws.shape() {
         return Err(Unfinished::Broken("the subject changed the length of a column of its block".into()));
     }

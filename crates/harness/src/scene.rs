@@ -77,10 +77,12 @@ macro_rules! scenes {
 }
 
 scenes! {
+    chain::Chain,
     density_1d::Density1d,
     directions::Directions,
     discrete::Discrete,
     grid::Grid,
+    linear_system::LinearSystem,
     number::Number,
 }
 

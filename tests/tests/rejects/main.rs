@@ -15,5 +15,6 @@ mod laws;
 mod order;
 mod path;
 mod ramp;
+mod states;
 mod table_2d;
 mod walks;

@@ -2,6 +2,7 @@ use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::discrete::Tables;
 use freepath_estimators::table_2d::{Grid, GridTables};
+use freepath_estimators::walk::System;
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
 
 /// The injections of a fault in each place where one can be laid; provided: none.
@@ -40,6 +41,14 @@ pub(crate) trait Injection: Send + Sync {
     /// The tables that the subject is given in place of those made of `grid`.
     fn alter_grid(&self, _grid: &Grid, tables: GridTables) -> GridTables {
         tables
+    }
+
+    /// The system that the subject walks in, with its tables, in place of `system`.
+    ///
+    /// # Errors
+    /// If the system has not what the fault takes the place of, in words.
+    fn alter_walks(&self, system: System) -> Result<System, String> {
+        Ok(system)
     }
 
     /// The overlay between one draw without a ray and its uniforms.

@@ -94,7 +94,7 @@ impl Kind for Chromatic {
             Route::Scalar => one_by_one(sampler, &seen, context.streams, out),
         }
         let audit = audited.iter().map(Audited::record).fold(Audit::default(), Audit::plus);
-        Looked { audit, spent: audited.iter().any(Audited::spent) }
+        Looked { audit, spent: audited.iter().any(Audited::spent), stopped: None }
     }
 
     /// There is none: no one distance serves all channels. Rows stay NaN, which every test rejects.

@@ -124,7 +124,7 @@ pub(super) fn draw(methods: &impl Methods, ray: Ray, context: &DrawContext, out:
             methods.block(&faulty, context.streams, out);
         }
     }
-    Looked { audit: audited.record(), spent: audited.spent() }
+    Looked { audit: audited.record(), spent: audited.spent(), stopped: None }
 }
 
 fn one_by_one(methods: &impl Methods, medium: &FaultyMedium, streams: &Streams, out: &mut Draws) {

@@ -48,7 +48,7 @@ impl Experiment for InParts<'_> {
             columns.put(row, t, 1.0, 0);
         }
         let audit = audited[0].record().plus(audited[1].record());
-        Looked { audit, spent: audited.iter().any(Audited::spent) }
+        Looked { audit, spent: audited.iter().any(Audited::spent), stopped: None }
     }
     fn plan(&self, _: &Terms) -> Plan<'_> {
         Plan::default()
