@@ -15,6 +15,7 @@ pub const CHECKS: &[Check] = &[
     check::SUPPORT,
     check::RANGE,
     check::NOISE_FREE,
+    check::BINARY,
     check::EQUAL_BLOCKS,
     check::REPEATS,
     check::SORTED,

@@ -24,6 +24,7 @@ mod outline;
 mod placed;
 mod ray;
 mod samples;
+mod stated;
 mod two_ranks;
 mod weighing;
 

@@ -4,6 +4,7 @@ use crate::evidence::Fact;
 use freepath_results::Reason;
 
 mod audit;
+mod binary;
 mod equal_blocks;
 mod finite;
 mod noise_free;
@@ -17,6 +18,7 @@ mod vacuum;
 mod weight_identity;
 
 pub use audit::CHECK as AUDIT;
+pub use binary::CHECK as BINARY;
 pub use equal_blocks::CHECK as EQUAL_BLOCKS;
 pub use finite::CHECK as FINITE;
 pub use noise_free::CHECK as NOISE_FREE;

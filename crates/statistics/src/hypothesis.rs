@@ -92,7 +92,7 @@ pub use poisson_count::poisson_count;
 pub use rare_lags::rare_lags;
 pub use record::Test;
 pub use scan::scan;
-pub use second_moment::{SecondMoment, second_moment};
+pub use second_moment::{SecondMoment, second_moment, stated_second_moment};
 pub use series::series;
 pub use ties::{pair_probability, ties};
 pub use too_even::too_even;

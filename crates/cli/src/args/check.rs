@@ -27,7 +27,7 @@ pub(crate) struct Check {
     /// Bits of the numbers, for the test of ties [default: the case's, else 24 if they are float32, else 53].
     #[arg(long, value_name = "N")]
     pub(crate) resolution_bits: Option<u32>,
-    /// What is known of the estimates or weights, which are then held to it: range:LOW,HIGH, noise_free, or replicates:N, rows in independent groups of N; may be given more than once.
+    /// What is known of the estimates or weights, which are then held to it: range:LOW,HIGH, noise_free, binary, own_mean:X, second_moment:X, or replicates:N, rows in independent groups of N; may be given more than once.
     #[arg(long, value_name = "WHAT")]
     pub(crate) declare: Vec<Declared>,
     /// Claims withdrawn, such as independent, truth; may be given more than once.

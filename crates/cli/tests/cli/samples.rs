@@ -14,6 +14,7 @@ mod dependent;
 mod escapes;
 mod refusals;
 mod single;
+mod stated;
 
 const CASE: &str = r#"{
   "title": "A slab",

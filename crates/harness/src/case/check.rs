@@ -62,6 +62,17 @@ impl CaseFile {
                 format!("a {kind} subject has no estimates or weights (only they have a range)"),
             );
         }
+        let of_estimates = [
+            (declared.binary, "binary"),
+            (declared.own_mean.is_some(), "own_mean"),
+            (declared.second_moment.is_some(), "second_moment"),
+        ];
+        if let Some((_, key)) = of_estimates.into_iter().find(|(said, _)| *said && !named.estimates()) {
+            return refuse(
+                &format!(".{key}"),
+                format!("a {kind} subject has no estimates (only they have a {key})"),
+            );
+        }
         if declared.noise_free && !named.estimates() {
             return refuse(
                 ".noise_free",
@@ -69,6 +80,8 @@ impl CaseFile {
             );
         }
         declared.check().or_else(|why| refuse(".range", why))?;
+        declared.check_own_mean().or_else(|why| refuse(".own_mean", why))?;
+        declared.check_second_moment().or_else(|why| refuse(".second_moment", why))?;
         declared.check_replicates().or_else(|why| refuse(".replicates", why))
     }
 

@@ -13,6 +13,15 @@ pub struct Declared {
     /// Estimates have no noise: every one is the mean itself.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub noise_free: bool,
+    /// Every estimate is 0 or 1: their mean is held to the binomial law.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub binary: bool,
+    /// The mean that the estimator has by design, if that is not the truth: it is then biased, and right if its mean is this.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub own_mean: Option<f64>,
+    /// The mean of the squared estimates, tested for every law in their range, which must be declared as well.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub second_moment: Option<f64>,
     /// Rows come in groups of this size, each independent of all others and none of its rows of one another: stratified, antithetic or
     /// quasi-Monte Carlo. Means and laws are judged by the means of at least 32 groups.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -37,6 +46,38 @@ impl Declared {
         }
     }
 
+    /// Refuses a mean of its own that is no number.
+    ///
+    /// # Errors
+    /// What is allowed.
+    pub fn check_own_mean(&self) -> Result<(), String> {
+        match self.own_mean {
+            Some(mean) if !mean.is_finite() => Err(format!("own_mean must be finite, not {mean}")),
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// Refuses a second moment that no draws can have, or that nothing can hold draws to.
+    ///
+    /// # Errors
+    /// Naming what is wrong, and what is allowed.
+    pub fn check_second_moment(&self) -> Result<(), String> {
+        let Some(moment) = self.second_moment else { return Ok(()) };
+        let Some([low, high]) = self.range else {
+            return Err(
+                "a second_moment needs a range (no test of one holds without; declare `range` as well)".into()
+            );
+        };
+        let (low, high, least) = (low * low, high * high, self.own_mean.map_or(0.0, |mean| mean * mean));
+        let most = if low > high { low } else { high };
+        if !(moment > 0.0 && moment >= least && moment <= most) {
+            return Err(format!(
+                "second_moment must be above 0, and from {least} (the square of own_mean) to {most} (of the range), not {moment}"
+            ));
+        }
+        Ok(())
+    }
+
     /// Refuses groups that are none.
     ///
     /// # Errors
@@ -56,6 +97,9 @@ impl Declared {
         Self {
             range: self.range.or(other.range),
             noise_free: self.noise_free || other.noise_free,
+            binary: self.binary || other.binary,
+            own_mean: self.own_mean.or(other.own_mean),
+            second_moment: self.second_moment.or(other.second_moment),
             replicates: self.replicates.or(other.replicates),
         }
     }

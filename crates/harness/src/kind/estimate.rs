@@ -85,11 +85,11 @@ impl Kind for Estimate {
         Vec::new()
     }
 
-    fn functional(number: &Number, _: &Source<Self>, _: &Terms) -> Result<Functional, String> {
+    fn functional(number: &Number, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
         Ok(Functional {
             value: |draws| draws.f64(column::WEIGHT).map_or(f64::NAN, |weight| weight[0]),
             expected: number.value,
-            declared: 0.0,
+            declared: plan::mean(number, source, terms).design_bias(),
             relative_error: 0.0,
         })
     }

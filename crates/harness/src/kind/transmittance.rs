@@ -118,17 +118,18 @@ impl Kind for Transmittance {
             facts.extend(identities::composition(estimator, ray.truth, terms.tolerance));
             facts.extend(identities::roulette_of(estimator, bounded));
         }
-        let expected = mean.own.map_or(mean.truth.expected, |own| own.expected);
-        facts.extend(identities::zero_variance(mean.truth.variance, expected, probe));
+        let plan::Mean { stated, .. } = mean;
+        let expected = stated.own.map_or(stated.truth.expected, |own| own.expected);
+        facts.extend(identities::zero_variance(stated.truth.variance, expected, probe));
         facts
     }
 
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
-        let mean = plan::Mean::of(ray, source, terms);
+        let mean = plan::Mean::of(ray, source, terms).stated;
         Ok(Functional {
             value: |draws| draws.f64(column::WEIGHT).map_or(f64::NAN, |weight| weight[0]),
             expected: mean.truth.expected,
-            declared: mean.own.map_or(0.0, |own| own.expected - mean.truth.expected),
+            declared: mean.design_bias(),
             relative_error: ray.truth.tau_error(),
         })
     }

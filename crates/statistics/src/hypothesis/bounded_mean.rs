@@ -62,7 +62,7 @@ pub fn bounded_mean(
 }
 
 /// Bennett's bound of the probability that the mean of draws in a range is off by so much, on either side.
-fn bennett(n: f64, variance: f64, (low, high): (f64, f64), expected: f64, excess: f64) -> f64 {
+pub(super) fn bennett(n: f64, variance: f64, (low, high): (f64, f64), expected: f64, excess: f64) -> f64 {
     let (width, d) = (high - low, excess.abs());
     if d == 0.0 {
         return 1.0;

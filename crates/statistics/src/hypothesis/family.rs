@@ -8,8 +8,9 @@ fn test(name: &str) -> Option<&'static Test> {
 }
 
 /// The prefixes of the same tests of other numbers than those of the main law: of the law that a method has by design,
-/// of the second rank of a row, of both ranks at once, of another file, of the trials of a draw, of the length of a walk.
-const PREFIXES: [&str; 6] = ["own_", "second_rank_", "joint_", "other_", "trials_", "length_"];
+/// of the second rank of a row, of both ranks at once, of another file, of the trials of a draw, of the length of a walk; or against
+/// what an author states.
+const PREFIXES: [&str; 7] = ["own_", "stated_", "second_rank_", "joint_", "other_", "trials_", "length_"];
 
 /// The name in [`TESTS`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
 /// `mean`.

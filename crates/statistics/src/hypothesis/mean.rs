@@ -7,7 +7,7 @@ use crate::special::{binomial_two_sided, student_t_two_sided};
 use crate::tally::PowerSums;
 pub(super) use batched::{FEWEST_ROWS, of_means};
 pub use batched::{batch_mean, detectable_batch_mean};
-use bernstein::bernstein_p;
+use bernstein::{bernstein_p, tolerated};
 use difference::bias;
 pub(super) use difference::{excess, slack};
 use freepath_results::Reason;
@@ -110,7 +110,7 @@ fn p_alone(evidence: &Evidence, sums: &PowerSums, claim: &MeanClaim) -> Option<f
 pub fn unseen_noise(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Option<(Reason, String)> {
     match method {
         Method::AllOnes => Some(undecided(sums, claim)),
-        Method::Exact if !noise_free(claim) => {
+        Method::Exact if !noise_free(claim) && !tolerated(sums, claim) => {
             let (n, mean) = (sums.n, sums.greatest);
             let why = format!("all of {n} draws are {mean:e}: say `noise_free` if that is all that they can be");
             Some((Reason::RareEvent, why))
@@ -176,6 +176,17 @@ mod tests {
         assert_eq!(open(&[1.0; 1000], truth), (Some(1.0), Some(Reason::RareEvent)));
         assert_eq!(open(&[1.0; 1000], MeanClaim { range: Some((0.0, 1.0)), ..truth }), (Some(1.0), None));
         assert_eq!(open(&[0.25; 1000], MeanClaim { variance: Some(0.0), ..CLAIM }), (Some(1.0), None));
+    }
+
+    #[test]
+    fn noise_that_was_not_seen_may_be_too_small_to_matter() {
+        let thin = MeanClaim { expected: 1e-7, range: Some((0.0, 1.0)), ..CLAIM };
+        let open = |slack, n: usize, range| {
+            let claim = MeanClaim { slack, range, ..thin };
+            let (draws, method) = (vec![0.0; n], judged(&vec![0.0; n], claim).1.method);
+            unseen_noise(&PowerSums::of(claim.expected, &draws), &claim, method).is_some()
+        };
+        assert!(!open(5e-3, 20_000, thin.range) && open(5e-3, 2000, thin.range) && open(5e-3, 20_000, None));
     }
 
     #[test]

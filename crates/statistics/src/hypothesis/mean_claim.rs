@@ -24,11 +24,13 @@ impl MeanClaim {
         self.expected.abs()
     }
 
-    /// A bound on the error tells something: it is below the size of the mean, or draws of both signs were seen, whose mean
-    /// may lie as near 0 as it likes. A mean whose draws have one sign is resolved by no bound that still allows 0.
+    /// A bound on the error tells something: it is below the size of the mean, or no larger than an error that is tolerated, or draws of
+    /// both signs were seen, whose mean may lie as near 0 as it likes. A mean whose draws have one sign is resolved by no bound that still allows 0.
     #[must_use]
     pub fn is_resolved(&self, sums: &PowerSums, bound: f64) -> bool {
-        bound < self.size() || (sums.least < 0.0 && sums.greatest > 0.0 && bound.is_finite())
+        bound < self.size()
+            || bound <= self.slack
+            || (sums.least < 0.0 && sums.greatest > 0.0 && bound.is_finite())
     }
 }
 
@@ -39,6 +41,21 @@ mod tests {
     fn resolved(expected: f64, draws: &[f64], bound: f64) -> bool {
         let claim = MeanClaim { expected, slack: 0.0, binary: false, range: None, variance: None, skewness: None };
         claim.is_resolved(&PowerSums::of(expected, draws), bound)
+    }
+
+    #[test]
+    fn a_rare_event_within_the_tolerance_is_resolved() {
+        let tolerant = |slack| MeanClaim {
+            expected: 1e-9,
+            slack,
+            binary: false,
+            range: Some((0.0, 1.0)),
+            variance: None,
+            skewness: None,
+        };
+        let sums = PowerSums::of(1e-9, &[0.0; 10]);
+        assert!(tolerant(1e-3).is_resolved(&sums, 9e-4) && !tolerant(1e-3).is_resolved(&sums, 1.1e-3));
+        assert!(!tolerant(0.0).is_resolved(&sums, 9e-4) && !tolerant(1e-3).is_resolved(&sums, f64::NAN));
     }
 
     #[test]

@@ -6,6 +6,9 @@ use crate::evidence::{Alone, Evidence, Null, NullClass};
 use crate::special::pearson_two_sided;
 use crate::tally::PowerSums;
 use freepath_results::Reason;
+pub use stated::stated_second_moment;
+
+mod stated;
 
 /// The test's record.
 pub(super) const TEST: Test = Test {
@@ -15,9 +18,10 @@ the skewness from the sixth: a weight with the right mean and the wrong spread s
     details: "\
 ```text
 z = (mean X^2 - m2) / sqrt((m4 - m2^2) / n),   m2, m4, m6 by formula, never from the sample
+stated  Bennett's inequality for X^2 in [0, M], M = max(low^2, high^2), Var X^2 <= m2 (M - m2): m2 and the range are declared
 ```
 Gate:    a skewness of X^2 (from m6) of at most 0.1 sqrt n; formulas that quadrature knows to 1e-6.
-Rejects: as wrong_variance: right mean, wrong spread.
+Rejects: as wrong_variance: right mean, wrong spread; what an author states is `stated_second_moment`.
 Source:  tail by Pearson's type III law (1895) with the exact skewness.",
     nulls: &[NullClass::Uniform, NullClass::Conservative],
     alone: Alone::No,

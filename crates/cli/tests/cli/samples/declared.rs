@@ -1,10 +1,10 @@
 use super::*;
 
 /// The transmittance of the slab.
-const T: f64 = 0.049_787_068_367_863_94;
+pub(super) const T: f64 = 0.049_787_068_367_863_94;
 
 /// Ratio tracking through the slab under twice its extinction.
-fn ratio(n: usize) -> Vec<f64> {
+pub(super) fn ratio(n: usize) -> Vec<f64> {
     let mut rng = Key { seed: 2, subject: 9, block: 0 }.rng();
     let mut estimate = || {
         let (mut t, mut weight) = (exponential(&mut rng) / 3.0, 1.0);
@@ -18,7 +18,7 @@ fn ratio(n: usize) -> Vec<f64> {
 }
 
 /// A column of estimates judged as transmittance, with more flags.
-fn judged(name: &str, estimates: &[f64], more: &[&str]) -> (i32, freepath_results::SubjectResult) {
+pub(super) fn judged(name: &str, estimates: &[f64], more: &[&str]) -> (i32, freepath_results::SubjectResult) {
     let folder = folder(name);
     put(&folder, "cases/slab.json", CASE);
     fs::write(folder.join("mine.f64"), estimates.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
@@ -30,7 +30,7 @@ fn judged(name: &str, estimates: &[f64], more: &[&str]) -> (i32, freepath_result
     (code, results.results.into_iter().next().unwrap())
 }
 
-fn reasons(name: &str, estimates: &[f64], more: &[&str]) -> (i32, Vec<&'static str>) {
+pub(super) fn reasons(name: &str, estimates: &[f64], more: &[&str]) -> (i32, Vec<&'static str>) {
     let (code, result) = judged(name, estimates, more);
     (code, result.reasons.iter().map(|reason| reason.code()).collect())
 }

@@ -5,8 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The spellings that there are, for messages.
-const ALLOWED: &str =
-    "range:LOW,HIGH with finite numbers LOW < HIGH, noise_free, or replicates:N with N rows of 2 or more";
+const ALLOWED: &str = "range:LOW,HIGH with finite numbers LOW < HIGH, noise_free, binary, own_mean:X, second_moment:X, or replicates:N with N rows of 2 or more";
 
 /// One declaration, as a command line has it.
 impl FromStr for Declared {
@@ -16,6 +15,18 @@ impl FromStr for Declared {
         let none = Self::default();
         if text == "noise_free" {
             return Ok(Self { noise_free: true, ..none });
+        }
+        if text == "binary" {
+            return Ok(Self { binary: true, ..none });
+        }
+        let finite = |text: &str| text.trim().parse().ok().filter(|x: &f64| x.is_finite());
+        if let Some(text) = text.strip_prefix("own_mean:") {
+            let mean = finite(text).ok_or(ALLOWED)?;
+            return Ok(Self { own_mean: Some(mean), ..none });
+        }
+        if let Some(text) = text.strip_prefix("second_moment:") {
+            let moment = finite(text).ok_or(ALLOWED)?;
+            return Ok(Self { second_moment: Some(moment), ..none });
         }
         if let Some(rows) = text.strip_prefix("replicates:") {
             let declared = Self { replicates: rows.parse().ok(), ..none };
@@ -34,8 +45,12 @@ impl fmt::Display for Declared {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let range = self.range.map(|[low, high]| format!("range:{low:e},{high:e}"));
         let noise_free = self.noise_free.then(|| "noise_free".to_string());
+        let binary = self.binary.then(|| "binary".to_string());
+        let own_mean = self.own_mean.map(|mean| format!("own_mean:{mean:e}"));
+        let second_moment = self.second_moment.map(|moment| format!("second_moment:{moment:e}"));
         let replicates = self.replicates.map(|rows| format!("replicates:{rows}"));
-        let all: Vec<String> = range.into_iter().chain(noise_free).chain(replicates).collect();
+        let all: Vec<String> =
+            [range, noise_free, binary, own_mean, second_moment, replicates].into_iter().flatten().collect();
         f.write_str(&all.join(" "))
     }
 }
@@ -46,7 +61,15 @@ mod tests {
 
     #[test]
     fn a_declaration_is_read_as_it_is_written() {
-        for text in ["range:0e0,1e0", "range:-1.5e0,2e-3", "noise_free", "replicates:1024"] {
+        for text in [
+            "range:0e0,1e0",
+            "range:-1.5e0,2e-3",
+            "noise_free",
+            "binary",
+            "own_mean:-2e-1",
+            "second_moment:3e-2",
+            "replicates:1024",
+        ] {
             assert_eq!(text.parse::<Declared>().unwrap().to_string(), text);
         }
         for text in [
@@ -57,6 +80,9 @@ mod tests {
             "range",
             "noisy",
             "",
+            "own_mean:inf",
+            "own_mean:exp",
+            "second_moment:",
             "replicates:1",
             "replicates:x",
         ] {

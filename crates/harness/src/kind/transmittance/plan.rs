@@ -1,19 +1,16 @@
 use super::Transmittance;
 use crate::experiment::{Plan, Terms};
 use crate::kind::column_order::OrderedColumn;
-use crate::kind::{Ray, Source, batches};
+use crate::kind::stated::StatedMean;
+use crate::kind::{Ray, Source};
 use crate::subject::Route;
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_estimators::claims::TransmittanceClaims;
-use freepath_results::Reason;
 use freepath_statistics::claim::{
-    Bounded, BoundedMean, Claims, EfficiencyClaim, EnoughRows, Estimates, InsideRay, LookupsClaim, MeanAgreement,
-    Moments, NoiseFree, OwnMean, PoissonClaim, SecondMomentClaim, Spread, WeightClaim, Withdrawal, bets, bounds,
-    portfolio,
+    Bounded, Claims, EfficiencyClaim, InsideRay, LookupsClaim, Moments, PoissonClaim, SecondMomentClaim,
+    Withdrawal,
 };
-use freepath_statistics::fold::{
-    Batched, CapitalSums, Collisions, FoldId, Histogram, Lookups, WealthSums, Weights,
-};
+use freepath_statistics::fold::{Collisions, FoldId, Histogram, Lookups, Weights};
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 
 /// The claims of the estimator: of a file nothing that is not true of any right estimator.
@@ -41,10 +38,8 @@ const MOST_LEFT: f64 = 1e-9;
 
 /// The mean of the estimates.
 pub(super) struct Mean {
-    /// T.
-    pub(super) truth: MeanClaim,
-    /// The mean that the estimator has by design, if that is another.
-    pub(super) own: Option<MeanClaim>,
+    /// T, and the mean that the estimator has by design, if that is another.
+    pub(super) stated: StatedMean,
     /// E[X^k] by formula.
     pub(super) moments: Option<[f64; 6]>,
 }
@@ -58,8 +53,8 @@ impl Mean {
             expected: transmittance,
             slack: terms.tolerance + transmittance * ray.truth.tau_error(),
             binary: claims.binary,
-            range: terms.declared.range(claims.range),
-            variance: terms.declared.variance(variance),
+            range: claims.range,
+            variance,
             skewness,
         };
         let own = |expected| MeanClaim {
@@ -69,7 +64,8 @@ impl Mean {
         };
         let known = terms.stands(Withdrawal::Truth);
         let second = known && !claims.binary && terms.stands(Withdrawal::SecondMoment);
-        Self { truth, own: claims.own_mean.map(own).filter(|_| known), moments: claims.moments.filter(|_| second) }
+        let own = claims.own_mean.map(own).filter(|_| known);
+        Self { stated: StatedMean::new(truth, own, terms), moments: claims.moments.filter(|_| second) }
     }
 }
 
@@ -106,74 +102,35 @@ pub(super) fn plan<'a>(ray: Ray<'a>, source: &Source<'a, Transmittance>, terms: 
 impl<'b> Builder<'_, 'b> {
     fn new(said: TransmittanceClaims, mean: Mean, terms: &'b Terms<'b>) -> Self {
         let mut claims = Claims::default();
-        let keeps_tail = mean.truth.range.is_none() && mean.truth.variance.is_none();
-        let weights = claims.folds.add(Weights { column: WEIGHT, center: mean.truth.expected, keeps_tail });
+        let weights = mean.stated.weights(&mut claims);
         let lookups = claims.folds.add(Lookups);
         Self { terms, said, mean, claims, weights, lookups }
     }
 
     /// Claims that hold whatever the mean, and those that compare estimators and settings.
     fn support(&mut self, external: bool) {
-        let (weights, lookups, truth) = (self.weights, self.lookups, self.mean.truth);
+        let (weights, lookups, stated) = (self.weights, self.lookups, self.mean.stated);
         if self.said.bounded {
             self.claims.push(Bounded { lookups });
         }
         self.claims.push(InsideRay { lookups });
-        let tolerance = self.terms.tolerance;
-        self.claims.push(Estimates { column: WEIGHT, weights, range: truth.range, tolerance });
-        if self.terms.declared.noise_free {
-            let rounding = 1e-9 * truth.expected + tolerance;
-            self.claims.push(NoiseFree { weights, rounding });
-        }
-        if external {
-            self.claims.push(EnoughRows);
-        }
-        let spread = Spread { range: truth.range, binary: truth.binary };
-        self.claims.push(MeanAgreement { weights, spread });
-        let design_bias = self.mean.own.map_or(0.0, |own| own.expected - truth.expected);
+        stated.support(weights, external, self.terms, &mut self.claims);
+        let (truth, design_bias) = (stated.truth, stated.design_bias());
         let moments = self.mean.moments.filter(|_| self.said.moments_error <= MOST_LEFT);
         self.claims.push(EfficiencyClaim { weights, lookups, truth, design_bias, moments });
     }
 
     /// The mean, the one that the estimator has by design, and the second moment.
     fn mean(&mut self) {
-        let (weights, Mean { truth, own, moments }) = (self.weights, &self.mean);
-        let fold = |bets| CapitalSums { column: WEIGHT, bets };
-        let capitals = bets(truth, self.terms.bias_bound).map(|bets| self.claims.folds.add(fold(bets)));
-        let (truth, own, moments, order) = (*truth, *own, *moments, self.said.order);
-        self.claims.push(WeightClaim { weights, truth, own, order, capitals });
-        if let Some(mean) = own {
-            self.claims.push(OwnMean { weights, mean });
-        }
-        self.range("bounded_mean", truth, Reason::Biased);
-        self.batches("mean", truth, Reason::Biased);
-        if let Some(mean) = own {
-            self.range("own_bounded_mean", mean, Reason::WrongLaw);
-            self.batches("own_mean", mean, Reason::WrongLaw);
-        }
+        let (weights, Mean { stated, moments }) = (self.weights, &self.mean);
+        let (moments, slack) = (*moments, stated.truth.slack);
+        stated.means(weights, self.said.order, self.terms, &mut self.claims);
         if let Some([_, m2, _, m4, _, m6]) = moments {
             let (name, sums) = ("second_moment".to_string(), Moments::Column(weights));
             let error = self.said.moments_error;
-            let moment = SecondMoment { moments: [m2, m4, m6], error, slack: truth.slack };
+            let moment = SecondMoment { moments: [m2, m4, m6], error, slack };
             self.claims.push(SecondMomentClaim { name, sums, moment });
         }
-    }
-
-    /// The mean by the range of the estimates, if they have one.
-    fn range(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
-        if !bounds(&mean) || !self.terms.stands(Withdrawal::Independent) {
-            return;
-        }
-        let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
-        let wealth = portfolio(&mean).map(|portfolio| self.claims.folds.add(fold(portfolio)));
-        let (name, sums) = (name.to_string(), Moments::Column(self.weights));
-        self.claims.push(BoundedMean { name, sums, wealth, mean, reason });
-    }
-
-    /// The mean where rows may depend.
-    fn batches(&mut self, name: &str, mean: MeanClaim, reason: Reason) {
-        let (sums, fold) = (Moments::Column(self.weights), Batched::column(WEIGHT));
-        batches::mean((name, reason), sums, fold, mean, self.terms, &mut self.claims);
     }
 
     /// Collisions and look-ups. One estimate at a time tells no collisions.

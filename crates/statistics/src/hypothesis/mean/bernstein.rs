@@ -1,3 +1,6 @@
+use super::difference::bias;
+use super::method::within;
+use crate::evidence::REPORTING_LEVEL;
 use crate::hypothesis::mean_claim::MeanClaim;
 use crate::tally::PowerSums;
 
@@ -21,4 +24,11 @@ pub(super) fn bernstein_p(sums: &PowerSums, claim: &MeanClaim, excess: f64) -> f
 pub(super) fn bernstein_width(variance: f64, n: f64, (low, high): (f64, f64), level: f64) -> f64 {
     let l = libm::log(4.0 / level);
     (2.0 * variance * l / n).sqrt() + 7.0 * (high - low) * l / (3.0 * (n - 1.0))
+}
+
+/// True if whatever noise the range of the draws may hide moves their mean by no more than is tolerated.
+pub(super) fn tolerated(sums: &PowerSums, claim: &MeanClaim) -> bool {
+    let width = |range| bernstein_width(sums.variance(), sums.n as f64, range, REPORTING_LEVEL);
+    let hides = |range| within(sums, range) && bias(sums, claim).abs() + width(range) <= claim.slack;
+    claim.range.is_some_and(hides)
 }
