@@ -40,6 +40,10 @@ pub enum Capability {
     CumulativeTable,
     /// Picks a cell of an alias table, and in it the category or its alias.
     AliasTable,
+    /// Makes estimates of f at a draw and of the density of its draws.
+    Density,
+    /// Draws from a mixture of densities, and divides by that of the mixture.
+    MixtureOfDensities,
     /// Accepts a trial if the second of two uniforms, times an envelope, is below the density at the first; nothing else is drawn.
     Envelope,
     /// Inverts the cumulative table of the rows of a grid, and then that of the cells in the row.
@@ -72,6 +76,8 @@ impl Capability {
             Self::ChannelMixture => "weigh by the densities of all channels",
             Self::CumulativeTable => "invert a cumulative table",
             Self::AliasTable => "keep an alias table",
+            Self::Density => "divide by the density of their draws",
+            Self::MixtureOfDensities => "divide by the density of a mixture",
             Self::Envelope => "reject under an envelope",
             Self::ConditionalTable => "invert the tables of rows and of cells",
             Self::WalkTables => "walk by the coefficients of a system",

@@ -2,7 +2,7 @@
 //! section for each of both.
 
 use crate::identities::{
-    composition, counts, density, envelope, history, inverse, medium, reproducible, roulette, table, zero_variance,
+    composition, counts, density, envelope, history, inverse, medium, reproducible, roulette, support, table, zero_variance,
 };
 use crate::scripted;
 use freepath_statistics::check::{self, Check};
@@ -32,6 +32,7 @@ pub const CHECKS: &[Check] = &[
     counts::CHECK,
     check::WEIGHT_IDENTITY,
     density::CHECK,
+    support::CHECK,
     table::CHECK,
     inverse::CHECK,
     envelope::CHECK,

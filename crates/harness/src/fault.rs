@@ -8,7 +8,9 @@ mod block_context;
 mod cells;
 mod channel_mixture;
 mod channels;
+mod densities;
 mod draws;
+mod faulty_division;
 mod faulty_medium;
 mod faulty_rng;
 mod faulty_words;
@@ -26,6 +28,7 @@ mod walk_progress;
 
 pub(crate) use block_context::BlockContext;
 pub use channel_mixture::ChannelMixture;
+pub(crate) use faulty_division::FaultyDivision;
 pub(crate) use faulty_medium::FaultyMedium;
 pub(crate) use faulty_rng::FaultyRng;
 pub(crate) use faulty_words::FaultyWords;
@@ -136,6 +139,11 @@ faults! {
     tables::unnormalised_rows::UnnormalisedRows: "rows are scaled to one sum and walks ended by one probability, without a weight",
     numbers::low_envelope::LowEnvelope: "the envelope of a rejection is lower than it should be",
     numbers::reused_uniform::ReusedUniform: "the second uniform of a draw is the first one once more",
+    densities::forgotten_pdf::ForgottenPdf: "an estimate is not divided by the density of its draw",
+    densities::unnormalised_mixture::UnnormalisedMixture: "the weights of a mixture do not sum up to 1",
+    densities::component_pdf::ComponentPdf: "divided by the density of the component that was drawn",
+    densities::density_of_the_unwarped_variable::DensityOfTheUnwarpedVariable: "the density is taken at the uniform, not at the draw",
+    densities::closed_interval::ClosedInterval: "the uniforms may be exactly 1, where the density is 0",
     draws::same_seed::SameSeed: "workers share a seed",
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",
     draws::nan_draw::NanDraw: "one walk of so many gives NaN",

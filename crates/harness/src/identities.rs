@@ -14,6 +14,7 @@
 //! | `identity_zero_variance` | no noise where the claims say that there is none |
 //! | `identity_counts` | one tentative collision for each real one where every one is real |
 //! | `identity_pdf` | the density that a sampler returns is that of its claims |
+//! | `identity_pdf_support` | the density of an estimator of an integral is above 0 where the integrand is not 0 |
 //! | `identity_table` | the table that a sampler keeps holds the probabilities of the scene |
 //! | `identity_envelope` | the envelope of a rejection lies nowhere below the density |
 //! | `identity_inverse` | a sampler gives back the uniforms that a draw was made of |
@@ -36,6 +37,7 @@ mod rays;
 pub(crate) mod reproducible;
 pub(crate) mod roulette;
 mod rows;
+pub(crate) mod support;
 pub(crate) mod table;
 pub(crate) mod zero_variance;
 
@@ -48,6 +50,7 @@ pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
 pub(crate) use roulette::roulette;
 pub(crate) use roulette::roulette_of;
+pub(crate) use support::support;
 pub(crate) use table::table;
 pub(crate) use zero_variance::zero_variance;
 

@@ -50,6 +50,8 @@ kinds! {
     direction::Direction,
     /// A sampler of a category.
     discrete::Discrete,
+    /// An estimator of an integral.
+    integral::Integral,
     /// A sampler of a table over a rectangle.
     table_2d::Table2d,
     /// An estimator by random walks over states.

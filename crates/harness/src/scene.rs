@@ -82,6 +82,7 @@ scenes! {
     directions::Directions,
     discrete::Discrete,
     grid::Grid,
+    integrand::Integrand,
     linear_system::LinearSystem,
     number::Number,
 }

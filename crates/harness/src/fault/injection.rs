@@ -1,6 +1,7 @@
 use super::{BlockContext, Overlay, RayView, Target, WalkContext};
 use freepath_draws::{Draws, Key, MissingColumn};
 use freepath_estimators::discrete::Tables;
+use freepath_estimators::integral::Sampled;
 use freepath_estimators::table_2d::{Grid, GridTables};
 use freepath_estimators::walk::System;
 use freepath_estimators::{Capability, Majorants, Medium, ParameterError};
@@ -49,6 +50,11 @@ pub(crate) trait Injection: Send + Sync {
     /// If the system has not what the fault takes the place of, in words.
     fn alter_walks(&self, system: System) -> Result<System, String> {
         Ok(system)
+    }
+
+    /// The estimate of a draw in place of `weight`, which is that of the faults before it.
+    fn divide(&self, _sampled: &Sampled, weight: f64) -> f64 {
+        weight
     }
 
     /// The overlay between one draw without a ray and its uniforms.

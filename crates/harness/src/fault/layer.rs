@@ -13,6 +13,8 @@ pub(crate) enum Layer {
     Numbers,
     /// The tables that are made of weights: by the block method.
     Tables,
+    /// The division of an integrand by the density of its draws: by the block method.
+    Densities,
     /// The draws of a block.
     Draws,
     /// The weights of a block of chromatic draws.

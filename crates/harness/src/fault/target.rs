@@ -55,7 +55,7 @@ impl Target<'_> {
             (Layer::Majorants | Layer::LookUps | Layer::Walk | Layer::Uniforms, Some(_), _)
             | (Layer::Channels, _, Some(_))
             | (Layer::Numbers, None, None)
-            | (Layer::Tables | Layer::Draws, ..) => Ok(()),
+            | (Layer::Tables | Layer::Densities | Layer::Draws, ..) => Ok(()),
         }
     }
 

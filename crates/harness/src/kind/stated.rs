@@ -11,6 +11,9 @@ use freepath_statistics::claim::{
 use freepath_statistics::fold::{Batched, CapitalSums, FoldId, WealthSums, Weights};
 use freepath_statistics::hypothesis::MeanClaim;
 
+/// A variance below it, relative to the square of the mean, is what cancellation leaves of none.
+const CANCELLED: f64 = 1e-13;
+
 /// The mean of the estimates, by formulas and by what their author states.
 #[derive(Clone, Copy)]
 pub(super) struct StatedMean {
@@ -83,6 +86,22 @@ impl StatedMean {
             claims.push(StatedSecondMoment { weights, expected, range, slack: terms.tolerance });
         }
     }
+}
+
+/// Variance and skewness from raw moments: neither where the variance is infinite, no skewness where cancellation leaves no digits of it;
+/// an infinite one where the third moment is infinite, or is not known.
+pub(super) fn spread(moments: &[f64; 6]) -> (Option<f64>, Option<f64>) {
+    let [m1, m2, m3, ..] = *moments;
+    if !m2.is_finite() {
+        return (None, None);
+    }
+    let variance = m2 - m1 * m1;
+    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
+    let scatters = variance > CANCELLED * m1 * m1;
+    let skewness = third / (variance * variance.sqrt());
+    let skewness = if m3.is_finite() { skewness } else { f64::INFINITY };
+    let skewness = Some(skewness).filter(|skewness| variance > 1e-9 * m1 * m1 && !skewness.is_nan());
+    (Some(if scatters { variance } else { 0.0 }), skewness)
 }
 
 /// What is known of a mean and what is declared of its draws.

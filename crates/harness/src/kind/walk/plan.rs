@@ -2,6 +2,7 @@ use super::in_system::{InSystem, Known};
 use super::{Walk, remarks};
 use crate::experiment::{Plan, Terms};
 use crate::kind::column_order::OrderedColumn;
+use crate::kind::stated::spread;
 use crate::kind::{Source, batches};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_results::Reason;
@@ -22,8 +23,7 @@ use std::sync::Arc;
 const SCORES: &[&str] = &[WEIGHT];
 /// What elimination may leave of an error, relative to the solution.
 pub(super) const SOLVED: f64 = 1e-11;
-/// A variance below it, relative to the square of the mean, is what cancellation leaves of none.
-const CANCELLED: f64 = 1e-13;
+
 
 /// Claims on the scores of walks while they are put together.
 struct Builder<'a, 'b> {
@@ -71,20 +71,6 @@ pub(super) fn mean(scene: &InSystem, source: &Source<Walk>, terms: &Terms) -> Me
         variance: terms.declared.variance(variance),
         skewness,
     }
-}
-
-/// Variance and skewness from raw moments: neither where they are infinite, no skewness where cancellation leaves no digits of it.
-fn spread(moments: &[f64; 6]) -> (Option<f64>, Option<f64>) {
-    let [m1, m2, m3, ..] = *moments;
-    if !m2.is_finite() {
-        return (None, None);
-    }
-    let variance = m2 - m1 * m1;
-    let third = m3 - 3.0 * m1 * m2 + 2.0 * m1 * m1 * m1;
-    let scatters = variance > CANCELLED * m1 * m1;
-    let skewness = third / (variance * variance.sqrt());
-    let skewness = Some(skewness).filter(|skewness| variance > 1e-9 * m1 * m1 && skewness.is_finite());
-    (Some(if scatters { variance } else { 0.0 }), skewness)
 }
 
 impl<'b> Builder<'_, 'b> {
