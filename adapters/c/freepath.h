@@ -4,6 +4,11 @@
  *     static double tracker(const freepath_medium *medium, freepath_rng *rng) { .. }   // infinity for an escape
  *     int main(void) { return freepath_serve(tracker, NULL, NULL); }
  *
+ * For a kind whose scene has no ray, such as `density` or `direction`, a sampler writes a row:
+ *
+ *     static void ramp(const freepath_medium *scene, freepath_rng *rng, double *row) { row[0] = 2.0 * sqrt(freepath_uniform(rng)); }
+ *     int main(void) { freepath_kind kinds[] = {{"density", ramp}}; return freepath_serve_rows(kinds, 1); }
+ *
  * `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from
  * standard output. So print to standard error, take every random number from `rng`, and nothing from the clock.
  */
@@ -56,7 +61,7 @@ static inline void freepath_die(const char *what, const char *which) {
 
 /* Extinction at t, 0 <= t <= length, in 1/length. A chromatic medium has that of its channels instead. */
 static inline double freepath_mu(const freepath_medium *medium, double t) {
-    if (medium->cells == 0) freepath_die("a medium of channels has sigma_t,", "not mu(t)");
+    if (medium->cells == 0) freepath_die("channels and scenes without a ray have", "no mu(t)");
     size_t n = medium->rows_per_cell, low = 0, high = medium->cells; /* t is in cell low, before cell high */
     while (high - low > 1) {
         size_t middle = low + (high - low) / 2;
@@ -228,6 +233,55 @@ static inline void freepath_draw_chromatic(const freepath_medium *medium, uint64
         for (size_t c = 0; c < medium->channels; c++) freepath_write(weights[c]);
     }
     free(weights);
+}
+
+/* A row of a kind: as many numbers as it has columns, of `direction` x, y, z, of `table_2d` x, y, of `density` one. */
+typedef void (*freepath_row)(const freepath_medium *scene, freepath_rng *rng, double *row);
+
+/* A kind by its name, and who draws its rows. */
+typedef struct freepath_kind {
+    const char *name;
+    freepath_row sampler;
+} freepath_kind;
+
+/* Names in the list of strings after "key". */
+static inline size_t freepath_strings(const char *object, const char *key) {
+    const char *at = freepath_find(object, key);
+    size_t quotes = 0;
+    if (!at || *at != '[') freepath_die("the request has no list", key);
+    for (; *at && *at != ']'; at++) quotes += *at == '"';
+    return quotes / 2;
+}
+
+static inline void freepath_draw_rows(const freepath_medium *scene, freepath_row sampler) {
+    size_t columns = freepath_strings(scene->request, "columns");
+    uint64_t draws = (uint64_t)freepath_number(scene->request, "draws");
+    freepath_rng rng = {(uint64_t)freepath_number(scene->request, "seed")};
+    double *row = (double *)freepath_room(columns);
+    for (uint64_t i = 0; i < draws; i++) {
+        sampler(scene, &rng, row);
+        for (size_t k = 0; k < columns; k++) freepath_write(row[k]);
+    }
+    free(row);
+    if (fflush(stdout) != 0) freepath_die("cannot write", "the draws");
+}
+
+/* Answers one request by the sampler of its kind, in a scene without a ray: parameters are read from `scene->request` by
+ * freepath_find, freepath_number and freepath_list. */
+static inline int freepath_serve_rows(const freepath_kind *kinds, size_t count) {
+    freepath_medium scene;
+    char *line = freepath_line(), *kind;
+    freepath_row sampler = NULL;
+    memset(&scene, 0, sizeof scene);
+    scene.request = line;
+    if (freepath_number(line, "protocol") != 1.0) freepath_die("unknown", "protocol");
+    kind = freepath_string(line, "kind");
+    for (size_t i = 0; i < count; i++)
+        if (kind && strcmp(kind, kinds[i].name) == 0) sampler = kinds[i].sampler;
+    if (!sampler) freepath_die("there is no sampler of the kind", kind ? kind : "?");
+    freepath_draw_rows(&scene, sampler);
+    free(kind), free(line);
+    return 0;
 }
 
 /* Answers one request by the sampler of its kind; any of them may be NULL. */

@@ -4,7 +4,8 @@
 //     double tracker(const freepath::Medium &medium, freepath::Rng &rng) { .. }  // infinity for an escape
 //     int main() { return freepath::serve({{"free_path", tracker}}); }
 //
-// A chromatic sampler gives a freepath::ChromaticDraw instead of a number.
+// A chromatic sampler gives a freepath::ChromaticDraw instead of a number. A row of several columns is a std::vector<double>: of the
+// kind `direction` x, y, z, of `table_2d` x, y. A case with a scene in the place of a medium gives its name and its parameters.
 //
 // `freepath run --allow-commands` starts the program, tells it on standard input what to draw and reads doubles from standard
 // output. So print to std::cerr, take every random number from `rng`, and nothing from the clock.
@@ -118,7 +119,7 @@ struct Majorants {
     }
 };
 
-// The extinction along the ray.
+// The extinction along the ray; of a scene without a ray its name and its parameters alone.
 struct Medium {
     double length = 0.0;
     Majorants majorants;
@@ -140,6 +141,8 @@ struct Medium {
             for (const Json &sigma : request["sigma_t"].items) sigma_t.push_back(sigma.number);
             for (const Json &sigma : request["sigma_s"].items) sigma_s.push_back(sigma.number);
             mu = [](double) -> double { throw std::runtime_error("a medium of channels has sigma_t, not mu(t)"); };
+        } else if (!request.has("table")) {
+            mu = [](double) -> double { throw std::runtime_error("a scene without a ray has no mu(t)"); };
         } else {
             mu = table(request["table"].text, request["rows_per_cell"].number);
         }
@@ -184,7 +187,10 @@ struct ChromaticDraw {
     std::vector<double> weights;
 };
 
-using Sampler = std::variant<std::function<double(const Medium &, Rng &)>, std::function<ChromaticDraw(const Medium &, Rng &)>>;
+using Row = std::vector<double>;
+
+using Sampler = std::variant<std::function<double(const Medium &, Rng &)>, std::function<ChromaticDraw(const Medium &, Rng &)>,
+                             std::function<Row(const Medium &, Rng &)>>;
 
 namespace detail {
 inline void write(double x) {
@@ -204,27 +210,42 @@ inline void write(const ChromaticDraw &draw, std::size_t channels) {
     for (double weight : draw.weights) write(weight);
 }
 
+inline void write(const Row &row, std::size_t columns) {
+    if (row.size() != columns)
+        throw std::runtime_error("the sampler gave a row of " + std::to_string(row.size()) + " numbers for " +
+                                 std::to_string(columns) + " columns");
+    for (double number : row) write(number);
+}
+
+// Which of the samplers gives such a row: a number, a chromatic draw, or several numbers.
+inline bool fits(const Sampler &sampler, const std::string &kind, std::size_t columns) {
+    return kind == "chromatic" ? sampler.index() == 1 : columns > 1 ? sampler.index() == 2 : sampler.index() != 1;
+}
+
 inline void answer(const std::map<std::string, Sampler> &samplers) {
     std::string line;
     std::getline(std::cin, line);
     const Json request = JsonReader(line).value();
     if (request["protocol"].number != 1.0) throw std::runtime_error("unknown protocol");
     const std::string kind = request["kind"].text;
+    const std::size_t columns = request["columns"].items.size();
     auto sampler = samplers.find(kind);
-    if (sampler == samplers.end() || sampler->second.index() != (kind == "chromatic"))
+    if (sampler == samplers.end() || !fits(sampler->second, kind, columns))
         throw std::runtime_error("there is no sampler of the kind " + kind);
     const Medium medium(request);
     Rng rng(static_cast<std::uint64_t>(request["seed"].number));
     auto draws = static_cast<std::uint64_t>(request["draws"].number);
     for (std::uint64_t i = 0; i < draws; i++) {
         if (auto number = std::get_if<0>(&sampler->second)) write((*number)(medium, rng));
+        else if (auto row = std::get_if<2>(&sampler->second)) write((*row)(medium, rng), columns);
         else write(std::get<1>(sampler->second)(medium, rng), medium.sigma_t.size());
     }
     if (!std::cout.flush()) throw std::runtime_error("cannot write the draws");
 }
 }  // namespace detail
 
-// Answers one request: `free_path` gives t, infinity for an escape; `transmittance` an estimate; `chromatic` a row.
+// Answers one request: `free_path` gives t, infinity for an escape; `transmittance` an estimate; `chromatic` a ChromaticDraw;
+// other kinds a number, or a Row of their columns.
 inline int serve(const std::map<std::string, Sampler> &samplers) {
     std::ios::sync_with_stdio(false);
     try {

@@ -15,7 +15,14 @@ output. So take every random number from `rng`, and nothing from the clock.
     medium.majorants    upper bounds of mu: `ends` and `mu_bar`, arrays with an entry per segment
     medium.sigma_t      of a chromatic medium, in the place of mu: extinction and scattering of each channel, arrays
     medium.sigma_s
-    medium.parameters   the medium as the case has it
+    medium.name, medium.parameters   the medium as the case has it
+
+A case with a `scene` in the place of a medium gives that, by its `name` and `parameters`, and a row of several columns is an array:
+
+    def cosine(scene, n, rng):          # n directions about scene.parameters["normal"]: an array of n rows x, y, z
+        ...
+
+    freepath.serve(direction=cosine)
 """
 
 import json
@@ -39,11 +46,18 @@ class Majorants:
         return self.mu_bar[np.minimum(np.searchsorted(self.ends, t, side="right"), len(self.ends) - 1)]
 
 
-class Medium:
+class Scene:
+    """The scene as the case has it: what it is called, and its parameters."""
+
+    def __init__(self, request):
+        self.name, self.parameters = next(iter(request["medium"].items()))
+
+
+class Medium(Scene):
     """The extinction along the ray."""
 
     def __init__(self, request):
-        self.parameters = request["medium"]
+        super().__init__(request)
         self.length = float(request["length"])
         self.majorants = Majorants(request["majorants"])
         if "sigma_t" in request:
@@ -72,10 +86,10 @@ def _table(path, rows_per_cell):
 
 
 def serve(**samplers):
-    """Answers one request: `free_path`, `transmittance` or `chromatic` is a function f(medium, n, rng).
+    """Answers one request: `free_path`, `transmittance`, `chromatic`, `density`, `direction` .. is a function f(medium, n, rng).
 
-    It gives n numbers; for `chromatic` an array of n rows t, event (0 scatters, 1 is the surface), one weight per channel.
-    What it prints goes to standard error.
+    It gives n numbers, or an array of n rows where a row has several columns: of `direction` x, y, z; of `table_2d` x, y; of
+    `chromatic` t, event (0 scatters, 1 is the surface), one weight per channel. What it prints goes to standard error.
     """
     output, sys.stdout = sys.stdout.buffer, sys.stderr
     request = json.loads(sys.stdin.readline())
@@ -85,13 +99,15 @@ def serve(**samplers):
     sampler = samplers.get(kind)
     if sampler is None:
         sys.exit(f"there is no sampler of the kind {kind!r}: freepath.serve({kind}=..)")
-    medium, rng = Medium(request), np.random.default_rng(request["seed"])
-    row = (2 + len(medium.sigma_t),) if kind == "chromatic" else ()
+    along_a_ray = "table" in request or "sigma_t" in request
+    medium, rng = (Medium if along_a_ray else Scene)(request), np.random.default_rng(request["seed"])
+    columns = request["columns"]
+    row = (len(columns),) if len(columns) > 1 else ()
     while left > 0:
         n = min(left, ROWS_AT_A_TIME)
         draws = np.ascontiguousarray(sampler(medium, n, rng), dtype="<f8")
         if draws.shape != (n, *row):
-            sys.exit(f"the sampler gave an array of the shape {draws.shape}, not {(n, *row)}")
+            sys.exit(f"the sampler gave an array of the shape {draws.shape}, not {(n, *row)}: {', '.join(columns)}")
         output.write(draws.tobytes())
         left -= n
     output.flush()

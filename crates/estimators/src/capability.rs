@@ -40,6 +40,8 @@ pub enum Capability {
     CumulativeTable,
     /// Picks a cell of an alias table, and in it the category or its alias.
     AliasTable,
+    /// Accepts a trial if the second of two uniforms, times an envelope, is below the density at the first; nothing else is drawn.
+    Envelope,
     /// Inverts the cumulative table of the rows of a grid, and then that of the cells in the row.
     ConditionalTable,
     /// Walks over states by the tables of the system, from the detector or from the source.
@@ -70,6 +72,7 @@ impl Capability {
             Self::ChannelMixture => "weigh by the densities of all channels",
             Self::CumulativeTable => "invert a cumulative table",
             Self::AliasTable => "keep an alias table",
+            Self::Envelope => "reject under an envelope",
             Self::ConditionalTable => "invert the tables of rows and of cells",
             Self::WalkTables => "walk by the coefficients of a system",
             Self::EndScore => "score where a walk ends",

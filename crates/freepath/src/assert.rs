@@ -1,5 +1,9 @@
 //! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
 
+mod scenes;
+
+pub use scenes::{assert_density, assert_direction, assert_discrete, assert_estimate, assert_table_2d};
+
 use freepath_estimators::medium;
 use freepath_estimators::{ChromaticSampler, FreePathSampler, Medium, TransmittanceEstimator};
 use freepath_harness::collect::{Collected, Stopped, Watch, observe};

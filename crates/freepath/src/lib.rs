@@ -1,4 +1,4 @@
-//! Free-path samplers, transmittance estimators and chromatic samplers of one's own, judged in one line of a `cargo test`.
+//! Samplers and estimators of one's own, of free paths, transmittances, laws, directions or anything with a known mean, judged in one line of a `cargo test`.
 //!
 //! A closure is a sampler; it returns the distance, or infinity for an escape:
 //!
@@ -20,6 +20,11 @@
 //! | free paths | a [`FreePathSampler`] and a [`Medium`] | [`assert_free_path`] |
 //! | a transmittance | a [`TransmittanceEstimator`] and a [`Medium`] | [`assert_transmittance`] |
 //! | weights of channels | a [`ChromaticSampler`] and a [`medium::Chromatic`] | [`assert_chromatic`] |
+//! | a mean that is known | an [`Estimator`] and a [`scene::Number`] | [`assert_estimate`] |
+//! | a law on a line | a [`DensitySampler`] and a [`density::Target`] | [`assert_density`] |
+//! | categories | a [`DiscreteSampler`] and [`discrete::Categories`] | [`assert_discrete`] |
+//! | directions | a [`DirectionSampler`] and [`direction::Directions`] | [`assert_direction`] |
+//! | places of a table | a [`Table2dSampler`] and a [`table_2d::Grid`] | [`assert_table_2d`] |
 //! | a case file | JSON | [`check`] |
 //!
 //! An estimator sees an [`Extinction`] and its random numbers, never the optical depth, which is the [`Medium`]'s. Media are in
@@ -34,13 +39,21 @@
 mod assert;
 mod check;
 
-pub use assert::{Effort, assert_chromatic, assert_free_path, assert_transmittance, verify};
+pub use assert::{
+    Effort, assert_chromatic, assert_density, assert_direction, assert_discrete, assert_estimate,
+    assert_free_path, assert_table_2d, assert_transmittance, verify,
+};
 pub use check::check;
 pub use freepath_estimators::{
-    Capability, Cells, ChromaticSampler, Draws, Extinction, FreePath, FreePathSampler, Key, List, MajorantChoice,
-    Majorants, Medium, ParameterError, Streams, TransmittanceEstimator, Under,
+    Capability, Cells, ChromaticSampler, DensitySampler, DirectionSampler, DiscreteSampler, Draws, Estimator,
+    Extinction, FreePath, FreePathSampler, Key, List, MajorantChoice, Majorants, Medium, ParameterError, Streams,
+    Table2dSampler, TransmittanceEstimator, Under,
 };
-pub use freepath_estimators::{capability, chromatic, claims, free_path, list, medium, parameter, transmittance};
+pub use freepath_estimators::{
+    capability, chromatic, claims, density, direction, discrete, estimate, free_path, list, medium, parameter,
+    table_2d, transmittance,
+};
+pub use freepath_harness::scene;
 #[cfg(feature = "report")]
 pub use freepath_report as report;
 pub use freepath_results::{Results, Verdict};

@@ -2,7 +2,7 @@
 //! section for each of both.
 
 use crate::identities::{
-    composition, counts, density, history, inverse, medium, reproducible, roulette, table, zero_variance,
+    composition, counts, density, envelope, history, inverse, medium, reproducible, roulette, table, zero_variance,
 };
 use crate::scripted;
 use freepath_statistics::check::{self, Check};
@@ -33,6 +33,7 @@ pub const CHECKS: &[Check] = &[
     density::CHECK,
     table::CHECK,
     inverse::CHECK,
+    envelope::CHECK,
 ];
 
 #[cfg(test)]

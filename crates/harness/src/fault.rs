@@ -134,6 +134,7 @@ faults! {
     tables::row_for_column::RowForColumn: "walks go along the transposed matrix, their ends not exchanged",
     tables::stale_state::StaleState: "the state is not set to the new one, and a walk never moves",
     tables::unnormalised_rows::UnnormalisedRows: "rows are scaled to one sum and walks ended by one probability, without a weight",
+    numbers::low_envelope::LowEnvelope: "the envelope of a rejection is lower than it should be",
     numbers::reused_uniform::ReusedUniform: "the second uniform of a draw is the first one once more",
     draws::same_seed::SameSeed: "workers share a seed",
     draws::leaked_record::LeakedRecord: "the record of a draw that ended with weight 0 leaks into the next",

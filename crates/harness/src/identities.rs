@@ -15,6 +15,7 @@
 //! | `identity_counts` | one tentative collision for each real one where every one is real |
 //! | `identity_pdf` | the density that a sampler returns is that of its claims |
 //! | `identity_table` | the table that a sampler keeps holds the probabilities of the scene |
+//! | `identity_envelope` | the envelope of a rejection lies nowhere below the density |
 //! | `identity_inverse` | a sampler gives back the uniforms that a draw was made of |
 //!
 //! Cost: some 2,500 draws, and some 1,000 evaluations of the medium.
@@ -26,6 +27,7 @@ use freepath_statistics::Fact;
 pub(crate) mod composition;
 pub(crate) mod counts;
 pub(crate) mod density;
+pub(crate) mod envelope;
 mod excess;
 pub(crate) mod history;
 pub(crate) mod inverse;
@@ -40,7 +42,8 @@ pub(crate) mod zero_variance;
 pub(crate) use composition::composition;
 pub(crate) use counts::counts;
 pub(crate) use density::density;
-pub(crate) use inverse::inverse;
+pub(crate) use envelope::envelope;
+pub(crate) use inverse::{inverse, quantile};
 pub use medium::medium;
 pub use rays::{parts, reversal, stretch};
 pub(crate) use roulette::roulette;

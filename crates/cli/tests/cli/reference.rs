@@ -105,6 +105,8 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let chain =
         json!({ "scene": { "chain": { "start": [1, 0], "transition": [[0.1, 0.4], [0.2, 0.3]], "state": 0 } } });
     let walks = [json!({ "walk": { "absorption": {} } }), json!({ "walk": { "collision": {} } })];
+    let line = json!({ "scene": { "density_1d": { "pdf": "2*x", "domain": [0, 1] } } });
+    let rejected = json!({ "density": { "rejection": { "envelope": 2 } } });
     let grey = [
         json!({ "free_path": { "delta_tracking": {} } }),
         json!({ "free_path": { "regular_tracking": { "cells": "constant" } } }),
@@ -117,7 +119,7 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
     let places = places.chain(tables.iter().map(|subject| (&weights, subject)));
     let places = places.chain(walks.iter().map(|subject| (&chain, subject)));
-    let places: Vec<_> = places.chain([(&grid, &rows)]).collect();
+    let places: Vec<_> = places.chain([(&grid, &rows), (&line, &rejected)]).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
         let fits = places.iter().any(|(scene, subject)| {

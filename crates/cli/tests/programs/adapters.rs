@@ -8,12 +8,15 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 pub(crate) const TESTS: &[Test] = &[
-    ("the_python_example_is_judged_right", || as_expected(&["python", "python_chromatic"])),
-    ("the_cpp_example_is_judged_right", || as_expected(&["cpp", "cpp_chromatic"])),
-    ("the_c_example_is_judged_right", || as_expected(&["c", "c_chromatic"])),
+    ("the_python_example_is_judged_right", || as_expected(&["python", "python_chromatic", "python_direction"])),
+    ("the_cpp_example_is_judged_right", || as_expected(&["cpp", "cpp_chromatic", "cpp_direction"])),
+    ("the_c_example_is_judged_right", || as_expected(&["c", "c_chromatic", "c_direction"])),
     ("python_reads_every_table", || every_table(&["python3", "delta_tracking.py"])),
     ("cpp_reads_every_table", || every_table(&["./delta_tracking_cpp"])),
     ("c_reads_every_table", || every_table(&["./delta_tracking_c"])),
+    ("python_draws_in_every_scene", || every_scene(&["python3", "scenes.py"])),
+    ("cpp_draws_in_every_scene", || every_scene(&["../../target/scenes_cpp"])),
+    ("c_draws_in_every_scene", || every_scene(&["../../target/scenes_c"])),
     ("the_readme_leads_to_verdicts", the_readme_leads_to_verdicts),
     ("what_is_left_out_for_want_of_a_tool_is_told", what_is_left_out_is_told),
 ];
@@ -23,6 +26,8 @@ fn adapters(name: &str) -> PathBuf {
     let folder = copied(name);
     build(&folder, Tool::Cpp, "delta_tracking.cpp", "../../target/delta_tracking_cpp");
     build(&folder, Tool::C, "delta_tracking.c", "../../target/delta_tracking_c");
+    build(&folder, Tool::Cpp, "scenes.cpp", "../../target/scenes_cpp");
+    build(&folder, Tool::C, "scenes.c", "../../target/scenes_c");
     folder
 }
 
@@ -62,6 +67,34 @@ fn as_expected(cases: &[&str]) {
             decoded(&freepath(&folder, &["run", &case, "--allow-commands"]).env("PATH", path()).output().unwrap());
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         assert!(out.contains(" pass ") && out.contains(" fail "), "{out}");
+    }
+}
+
+/// Kinds whose scene has no ray, with what the examples draw in it.
+const SCENES: &[(&str, &str)] = &[
+    ("density", r#"{ "density_1d": { "pdf": "x/2", "domain": [0, 2] } }"#),
+    ("discrete", r#"{ "discrete": { "weights": [0, 3, 0, 1, 4, 2, 0] } }"#),
+    ("direction", r#"{ "directions": { "law": { "cosine_hemisphere": {} }, "normal": [0, 0, -1] } }"#),
+    ("table_2d", r#"{ "grid": { "values": [[1, 2], [3, 4]] } }"#),
+    ("estimate", r#"{ "number": { "value": 0.3333333333333333 } }"#),
+];
+
+/// The right sampler of each kind passes, and the one whose first uniform is too small fails.
+fn every_scene(argv: &[&str]) {
+    let folder = adapters(&format!("scenes_{}", argv[0].rsplit('/').next().unwrap_or_default()));
+    for (kind, scene) in SCENES {
+        let case = |more: &[&str]| {
+            let argv = serde_json::json!([argv, more].concat());
+            format!(
+                r#"{{ "title": "x", "scene": {scene}, "draws": 100000, "subjects": [ {{ "{kind}": {{ "command": {{ "argv": {argv} }} }} }} ] }}"#
+            )
+        };
+        for (more, verdict) in [(&[][..], " pass "), (&["wrong"][..], " fail ")] {
+            put(&folder, "adapters/examples/scene.json", &case(more));
+            let mut run = freepath(&folder, &["run", "adapters/examples/scene.json", "--allow-commands"]);
+            let (_, out, err) = decoded(&run.env("PATH", path()).output().unwrap());
+            assert!(out.contains(verdict) && err.is_empty(), "{kind} {more:?}: {out}{err}");
+        }
     }
 }
 

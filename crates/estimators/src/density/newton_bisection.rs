@@ -23,7 +23,7 @@ impl DensitySampler for NewtonBisection {
     fn sample(&self, target: &Target, rng: &mut dyn rand::Rng) -> Drawn {
         let u = uniform(rng);
         let x = if u < 1.0 - target.atom_mass() { invert(target, u) } else { target.quantile(u) };
-        Drawn { x, pdf: target.pdf(x).unwrap_or(f64::NAN) }
+        Drawn::new(x, target.pdf(x).unwrap_or(f64::NAN))
     }
 }
 

@@ -2,7 +2,11 @@
 
 use super::Layer;
 
+pub(super) mod low_envelope;
 pub(super) mod reused_uniform;
 
 /// The layer of every fault in this folder.
 pub(super) const LAYER: Layer = Layer::Numbers;
+
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@ use crate::scene::{Density1d, Scene};
 use crate::subject::Route;
 use freepath_draws::random::uniform;
 use freepath_draws::{Draws, Row, Streams};
-use freepath_estimators::density::{AnyDensity, Drawn, PDF, Target, X, write};
+use freepath_estimators::density::{AnyDensity, Drawn, PDF, TRIALS, Target, X, write};
 use freepath_estimators::{Capability, DensitySampler, MajorantChoice, ParameterError};
 use freepath_statistics::Fact;
 use std::sync::Arc;
@@ -64,8 +64,9 @@ impl Kind for Density {
         placed
     }
 
-    fn row(_: &Arc<Target>, _: Option<&Self::Sampler<'_>>) -> Row {
-        Row::new().with_f64(X).with_f64(PDF)
+    fn row(target: &Arc<Target>, sampler: Option<&Self::Sampler<'_>>) -> Row {
+        let row = Row::new().with_f64(X).with_f64(PDF);
+        if sampler.and_then(|sampler| sampler.trials(target)).is_some() { row.with_f64(TRIALS) } else { row }
     }
 
     fn program_rows(_: &Outline) -> RowFormat {
@@ -89,23 +90,28 @@ impl Kind for Density {
         let mut rng = streams.rng();
         let mut draw = || {
             let x = target.quantile(uniform(&mut rng));
-            Drawn { x, pdf: target.pdf(x).unwrap_or(f64::NAN) }
+            Drawn::new(x, target.pdf(x).unwrap_or(f64::NAN))
         };
         let drawn: Vec<Drawn> = (0..out.rows()).map(|_| draw()).collect();
         write(&drawn, out);
     }
 
     fn plan<'a>(target: &'a Arc<Target>, source: &Source<'a, Self>, terms: &Terms) -> Plan<'a> {
-        plan::plan(target, source.is_external(), terms)
+        let trials = source.sampler().and_then(|sampler| sampler.trials(target));
+        plan::plan(target, source.is_external(), trials, terms)
     }
 
-    fn capabilities(_: &Self::Sampler<'_>) -> Vec<Capability> {
-        Vec::new()
+    fn capabilities(sampler: &Self::Sampler<'_>) -> Vec<Capability> {
+        sampler.capabilities()
     }
 
     fn facts(target: &Arc<Target>, source: &Source<Self>, probe: &Probe) -> Vec<Fact> {
-        let block = source.sampler().and_then(|_| probe.draw(0, ROWS));
-        block.and_then(|draws| wrong_pdf(target, &draws, probe.terms().tolerance)).into_iter().collect()
+        let Some(sampler) = source.sampler() else { return Vec::new() };
+        let told = probe.draw(0, ROWS).and_then(|draws| wrong_pdf(target, &draws, probe.terms().tolerance));
+        told.into_iter()
+            .chain(identities::envelope(sampler, target))
+            .chain(identities::quantile(sampler, target))
+            .collect()
     }
 
     fn functional(_: &Arc<Target>, _: &Source<Self>, _: &Terms) -> Result<Functional, String> {

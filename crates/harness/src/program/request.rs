@@ -34,6 +34,7 @@ impl Setting<'_> {
         let mut state = |name: &str, value: Value| request.insert(name.into(), value);
         state("protocol", json!(PROTOCOL));
         state("kind", json!(self.kind));
+        state("columns", self.rows.columns.iter().map(|column| json!(column.name)).collect());
         state("medium", self.medium.clone());
         state("majorants", json!(self.majorants()));
         state("length", json!(self.length));

@@ -8,8 +8,8 @@ fn test(name: &str) -> Option<&'static Test> {
 }
 
 /// The prefixes of the same tests of other numbers than those of the main law: of the law that a method has by design,
-/// of the second rank of a row, of both ranks at once, of another file, of the length of a walk.
-const PREFIXES: [&str; 5] = ["own_", "second_rank_", "joint_", "other_", "length_"];
+/// of the second rank of a row, of both ranks at once, of another file, of the trials of a draw, of the length of a walk.
+const PREFIXES: [&str; 6] = ["own_", "second_rank_", "joint_", "other_", "trials_", "length_"];
 
 /// The name in [`TESTS`] of the test that a piece of evidence comes from: `own_atom` is an `atom`, `scatter_0_bin_3` a
 /// `mean`.
@@ -65,7 +65,10 @@ mod tests {
         assert_eq!(of.map(family), to);
         assert_eq!(["channel_0_order", "channel_12_along_escapes"].map(family), ["order", "along_escapes"]);
         assert_eq!(["channel_0_weighted_16", "channel_2_weighted_64"].map(family), ["weighted_16", "weighted_64"]);
-        assert_eq!(["second_rank_kuiper", "joint_chi_square_64"].map(family), ["kuiper", "chi_square_64"]);
+        assert_eq!(
+            ["second_rank_kuiper", "joint_chi_square_64", "trials_count_law"].map(family),
+            ["kuiper", "chi_square_64", "count_law"]
+        );
     }
 
     #[test]

@@ -1,28 +1,33 @@
 use crate::experiment::{Plan, Terms};
 use crate::kind::batches;
-use freepath_estimators::density::{Target, X};
+use freepath_estimators::density::{TRIALS, Target, X, geometric};
 use freepath_results::Reason;
 use freepath_statistics::claim::{
-    AtomsClaim, Claims, Domain, EnoughRows, Evenness, LawAgreement, LawClaim, ObservedOrder, Order, Withdrawal,
+    AtomsClaim, Claims, Domain, EnoughRows, Evenness, JointRanks, LawAgreement, LawClaim, ObservedOrder, Order,
+    Trials, Withdrawal,
 };
 use freepath_statistics::fold::{Cells, FoldId, Inside, Lags, Places, Rank, RankOf, Values};
 use freepath_statistics::tally::Scores;
 use freepath_statistics::{Grain, Law};
 use std::sync::Arc;
 
+/// The columns of a sampler: the number, and where they are counted its trials.
+const COLUMNS: &[&str; 2] = &[X, TRIALS];
+
 /// Numbers lie where there is mass, and their ranks are uniform but for the atoms.
-pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -> Plan<'a> {
+pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, trials: Option<f64>, terms: &Terms) -> Plan<'a> {
     let (mut claims, reason) = (Claims::default(), Reason::WrongLaw);
     let (law, index) = (Arc::new(ranks(target, terms)), claims.folds.cell_index());
     let values = Values::Rank(Rank { columns: &[X], of: rank(target.clone()) });
     let cells = claims.folds.add(Cells { values, law: law.clone(), index });
+    let columns: &[&str] = if trials.is_some() { COLUMNS } else { &COLUMNS[..1] };
     let inside: Inside = Arc::new({
         let target = target.clone();
-        move |row| row.iter().all(|&x| target.has_mass(x))
+        move |row| target.has_mass(row[0]) && row[1..].iter().all(|&trials| is_count(trials))
     });
     let atoms = target.atoms().iter().map(|atom| atom.at).collect();
-    let places = claims.folds.add(Places { columns: &[X], inside: inside.clone(), atoms });
-    claims.push(Domain { columns: &[X], inside, places });
+    let places = claims.folds.add(Places { columns, inside: inside.clone(), atoms });
+    claims.push(Domain { columns, inside, places });
     if external {
         claims.push(EnoughRows);
     }
@@ -43,9 +48,42 @@ pub(super) fn plan<'a>(target: &'a Arc<Target>, external: bool, terms: &Terms) -
         let masses = target.atoms().iter().map(|atom| atom.mass).collect();
         claims.push(AtomsClaim { masses, slack: law.slack(), places });
     }
+    if let Some(mean) = trials {
+        counted(target, mean, terms, &mut claims);
+    }
     let rows = terms.ordered_rows(external);
     order(&law, |scores| Lags { scores, index, rows }, cells, terms, &mut claims);
     Plan { claims, beside: Vec::new() }
+}
+
+/// Trials follow their law, whatever the number that they led to.
+fn counted(target: &Arc<Target>, mean: f64, terms: &Terms, claims: &mut Claims) {
+    let (masses, slack) = (geometric(mean), terms.tolerance + target.error());
+    let last = masses.len() - 1;
+    let class = move |trials: f64| if trials < last as f64 { trials as usize } else { last };
+    let law = Arc::new(Law::of_counts(&masses, slack));
+    let of: RankOf = Arc::new(move |row| if is_count(row[0]) { class(row[0]) as f64 + 0.5 } else { -1.0 });
+    let index = claims.folds.cell_index();
+    let values = Values::Rank(Rank { columns: &COLUMNS[1..], of });
+    let cells = claims.folds.add(Cells { values, law, index });
+    let below: Vec<f64> = masses.iter().scan(0.0, |sum, mass| Some(std::mem::replace(sum, *sum + mass))).collect();
+    let (of, joint) = (rank(target.clone()), masses.clone());
+    let both: RankOf = Arc::new(move |row| {
+        let (rank, trials) = (of(&row[..1]), row[1]);
+        if is_count(trials) { below[class(trials)] + joint[class(trials)] * rank } else { -1.0 }
+    });
+    let law = Arc::new(ranks(target, terms));
+    let index = claims.folds.cell_index();
+    let values = Values::Rank(Rank { columns: COLUMNS, of: both });
+    let joint = claims.folds.add(Cells { values, law: law.clone(), index });
+    claims.push(Trials { cells, masses, mean, slack: 2.0 * slack });
+    let words = "a number and its trials are independent, and give back a uniform number together";
+    claims.push(JointRanks { law, cells: joint, reason: Reason::WrongLaw, words });
+}
+
+/// True of a number of trials.
+fn is_count(trials: f64) -> bool {
+    trials >= 1.0 && trials.fract() == 0.0
 }
 
 /// Rows in drawing order, and counts that are as uneven as independent ones are.
