@@ -23,7 +23,7 @@ pub(crate) fn figure(series: &PanelSeries, subject: &str, name: &'static str) ->
 }
 
 fn picture(series: &PanelSeries, title: String) -> Option<Picture> {
-    let formulas = series.formulas.iter().flat_map(|formula| places(formula)).map(|at| at.1);
+    let formulas = series.formulas.iter().flat_map(places).map(|at| at.1);
     let measured = series.measured.iter().flat_map(|at| [at.value.0, at.low.0, at.high.0]);
     let (lo, hi) = span(formulas.chain(measured))?;
     let margin = 0.1 * if hi > lo { hi - lo } else { 1.0 + hi.abs() };
