@@ -18,7 +18,7 @@ fn p_values_of_chains_and_signed_systems_follow_their_laws() {
     let found = soak(&cases, &options).unwrap_or_else(|_| panic!("nobody cancels"));
     let broken: Vec<_> = found.tests.iter().filter(|test| !(test.holds && test.declared)).collect();
     assert!(found.holds, "{broken:?} {:?} {:?}", found.levels, found.facts);
-    for name in ["count_law", "second_moment", "mean", "lookups"] {
+    for name in ["count_law", "second_moment", "mean"] {
         let p_values: u64 = found.tests.iter().filter(|test| test.test == name).map(|test| test.p_values).sum();
         assert!(p_values >= 250, "{name}: {p_values}");
     }

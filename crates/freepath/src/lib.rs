@@ -24,6 +24,7 @@
 //! | a law on a line | a [`DensitySampler`] and a [`density::Target`] | [`assert_density`] |
 //! | categories | a [`DiscreteSampler`] and [`discrete::Categories`] | [`assert_discrete`] |
 //! | directions | a [`DirectionSampler`] and [`direction::Directions`] | [`assert_direction`] |
+//! | a linear system or a chain by random walks | a [`WalkEstimator`] and a [`walk::System`] | [`assert_walk`] |
 //! | places of a table | a [`Table2dSampler`] and a [`table_2d::Grid`] | [`assert_table_2d`] |
 //! | a case file | JSON | [`check`] |
 //!
@@ -41,17 +42,17 @@ mod check;
 
 pub use assert::{
     Effort, assert_chromatic, assert_density, assert_direction, assert_discrete, assert_estimate,
-    assert_free_path, assert_table_2d, assert_transmittance, verify,
+    assert_free_path, assert_table_2d, assert_transmittance, assert_walk, verify,
 };
 pub use check::check;
 pub use freepath_estimators::{
     Capability, Cells, ChromaticSampler, DensitySampler, DirectionSampler, DiscreteSampler, Draws, Estimator,
     Extinction, FreePath, FreePathSampler, Key, List, MajorantChoice, Majorants, Medium, ParameterError, Streams,
-    Table2dSampler, TransmittanceEstimator, Under,
+    Table2dSampler, TransmittanceEstimator, Under, WalkEstimator,
 };
 pub use freepath_estimators::{
     capability, chromatic, claims, density, direction, discrete, estimate, free_path, list, medium, parameter,
-    table_2d, transmittance,
+    table_2d, transmittance, walk,
 };
 pub use freepath_harness::scene;
 #[cfg(feature = "report")]

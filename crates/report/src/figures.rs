@@ -5,8 +5,8 @@ mod ladders;
 use crate::plot::cost::Cost;
 use crate::plot::forest::Entry;
 use crate::plot::{
-    DrawAxes, Figure, cdf, cost, efficiency, forest, histogram, life_table, medium, order, power, quantiles,
-    residuals, running,
+    DrawAxes, Figure, cdf, cost, efficiency, forest, histogram, life_table, medium, order, panel, power,
+    quantiles, residuals, running,
 };
 use crate::site::{Case, Site, Subject, is_ray};
 use crate::text::clean;
@@ -64,7 +64,10 @@ fn of_subject(site: &Site, subject: &Subject) -> Vec<Drawn> {
         series.running.as_ref().zip(result.mean.as_ref()).map(|(s, mean)| running::figure(s, mean, name, level)),
         channels(subject),
     ];
-    named(&subject.id, figures.into_iter().flatten())
+    // a name for each file
+    let panels = series.panels.iter().zip(["panel_0", "panel_1", "panel_2", "panel_3"]);
+    let panels = panels.filter_map(|(series, file)| panel::figure(series, name, file));
+    named(&subject.id, figures.into_iter().flatten().chain(panels))
 }
 
 /// The life table, where something was found: of a pass it is told in a sentence.

@@ -8,6 +8,7 @@ pub(crate) mod histogram;
 pub(crate) mod life_table;
 pub(crate) mod medium;
 pub(crate) mod order;
+pub(crate) mod panel;
 pub(crate) mod power;
 pub(crate) mod quantiles;
 pub(crate) mod residuals;

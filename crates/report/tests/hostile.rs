@@ -4,8 +4,8 @@ mod support;
 
 use freepath_report::{Options, SideFiles, html};
 use freepath_results::{
-    CdfSeries, HistogramSeries, LifeTable, MediumSeries, QuantileSeries, Real, ResidualSeries, Results,
-    RunningSeries, Series,
+    CdfSeries, FormulaSeries, HistogramSeries, LifeTable, Measured, MediumSeries, PanelSeries, QuantileSeries,
+    Real, ResidualSeries, Results, RunningSeries, Series,
 };
 use std::path::PathBuf;
 
@@ -147,6 +147,7 @@ fn series(law: bool, mean: bool, x: Real, length: usize) -> Series {
         histogram: law.then(|| HistogramSeries { edges: many(), density: many(), expected: many(), escape: x, escape_expected: x }),
         residuals: law.then(|| ResidualSeries { edges: many(), residual: many(), escape: true }),
         life_table: law.then(|| LifeTable { edges: many(), ratio: many(), low: many(), high: many(), p: many(), ..LifeTable::default() }),
+        panels: vec![PanelSeries { formulas: vec![FormulaSeries { name: "f".into(), values: many() }; length.min(9)], shaded: (0..length).collect(), measured: Some(Measured { place: length, value: x, low: x, high: x }), ..PanelSeries::default() }; length.min(9)],
         running: mean.then(|| RunningSeries { draws: many(), mean: many(), half_width: many() }),
     }
 }

@@ -1,4 +1,4 @@
-use crate::{CdfSeries, HistogramSeries, LifeTable, ResidualSeries, RunningSeries};
+use crate::{CdfSeries, HistogramSeries, LifeTable, PanelSeries, ResidualSeries, RunningSeries};
 use serde::{Deserialize, Serialize};
 
 /// Most points in a series.
@@ -22,4 +22,7 @@ pub struct Series {
     /// Running mean.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub running: Option<RunningSeries>,
+    /// Quantities of numbered places.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub panels: Vec<PanelSeries>,
 }

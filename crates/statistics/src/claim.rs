@@ -91,7 +91,7 @@ pub use own_mean::OwnMean;
 pub use path::{CountedPath, Escaping, Path};
 pub use pdf_integral::PdfIntegral;
 pub use ranks::{JointRanks, SecondRank, joint_rank};
-pub use remark::Remark;
+pub use remark::{Panel, Remark, Shows};
 pub use second_moment::{Moments, SecondMomentClaim};
 pub use sequential::{Asked, BiasBound, InterimLook, SequentialTest};
 pub use series::SeriesClaim;

@@ -73,9 +73,13 @@ fn signed() -> System {
 }
 
 fn judged(estimator: &dyn WalkEstimator, system: System, seed: u64) -> (Verdict, String) {
+    judged_by(1 << 17, estimator, system, seed)
+}
+
+fn judged_by(draws: u64, estimator: &dyn WalkEstimator, system: System, seed: u64) -> (Verdict, String) {
     let scene = Walk::scene_of(system);
     let experiment = InScene::<Walk>::of(estimator, &scene);
-    verify(&Subject::new(&experiment), Effort { seed, draws: 1 << 17 })
+    verify(&Subject::new(&experiment), Effort { seed, draws })
 }
 
 fn fails_by(what: &[&str], estimator: &dyn WalkEstimator, system: System) {
@@ -147,6 +151,17 @@ fn visits_that_are_not_whole_or_not_as_frequent_have_no_law_of_counts() {
 fn a_walk_that_visits_more_states_than_it_needs_has_another_cost() {
     let late = |walked: Walked, u: f64| Walked { states: walked.states + u32::from(u < 0.1), ..walked };
     fails_by(&["wrong_cost", "length_count_law"], &changed(COLLISION, late), visits());
+}
+
+/// The mean over blocks of 16,384 draws needs twenty of them.
+#[test]
+fn a_row_that_is_looked_up_once_more_is_seen_in_the_look_ups() {
+    let late = |walked: Walked, u: f64| Walked { states: walked.states + u32::from(u < 0.05), ..walked };
+    let (verdict, words) = judged_by(1 << 19, &changed(COLLISION, late), visits(), 6);
+    assert!(
+        verdict == Verdict::Fail && words.contains("lookups rejects") && words.contains("wrong_cost"),
+        "{words}"
+    );
 }
 
 #[test]

@@ -100,6 +100,21 @@ impl System {
         Ok(Self { coefficients, source, detector, forward, adjoint, guided })
     }
 
+    /// The system of all rows of H, b and h, walked in with the steps |H|.
+    ///
+    /// # Errors
+    /// As [`System::new`].
+    pub fn of_rows(coefficients: &[Vec<f64>], source: &[f64], detector: &[f64]) -> Result<Self, ParameterError> {
+        Self::new(Stated {
+            names: ["coefficients", "source", "detector"],
+            coefficients: &StatedMatrix::Rows(coefficients.to_vec()),
+            source: &StatedVector::List(source.to_vec()),
+            detector: &StatedVector::List(detector.to_vec()),
+            steps: None,
+            adjoint_steps: None,
+        })
+    }
+
     /// The same functional from the other side: H^T, with source and detector exchanged.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// x_j is the expected number of visits to j, the first and the last state of a walk included.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(example = serde_json::json!({ "start": { "state": 0 }, "transition": [[0, 0.9], [1, 0]], "state": 1 }))]
+#[schemars(example = serde_json::json!({ "start": [0.5, 0.5], "transition": [[0.1, 0.4], [0.2, 0.3]], "state": 1 }))]
 pub struct Chain {
     /// p0: the probability to start in each state, or `{"state": i}`.
     pub start: StatedVector,

@@ -74,7 +74,7 @@ fn visits(walker: &Walker, state: usize, mean: f64) -> Option<Counting> {
 }
 
 /// The only state with a positive number, if there is one and all others have 0.
-fn only(numbers: &[f64]) -> Option<usize> {
+pub(super) fn only(numbers: &[f64]) -> Option<usize> {
     let mut some = (0..numbers.len()).filter(|&i| numbers[i] != 0.0);
     let first = some.next()?;
     (some.next().is_none() && numbers[first] > 0.0).then_some(first)

@@ -1,9 +1,10 @@
 //! What the formulas of a chain say of its estimators: state by state which of two has the smaller variance.
 
 use super::in_system::InSystem;
-use super::laws::weighs_1;
+use super::laws::{only, weighs_1};
 use freepath_estimators::walk::{Walker, Walks};
-use freepath_statistics::claim::{Claims, Remark};
+use freepath_results::{FormulaSeries, PanelSeries, Real};
+use freepath_statistics::claim::{Claims, Panel, Remark, Shows};
 
 /// Most states that are told one by one.
 const MOST: usize = 32;
@@ -30,8 +31,47 @@ pub(super) fn push(scene: &InSystem, claims: &mut Claims) {
     if walker.states() > MOST || !weighs_1(walker) {
         return;
     }
-    let words: Vec<String> = states(walker).iter().map(Compared::words).collect();
-    claims.push(Remark { name: "collision_or_absorption", words: words.join("; ") });
+    let (states, place) = (states(walker), only(&walker.last));
+    let words: Vec<String> = states.iter().map(Compared::words).collect();
+    let panels = vec![
+        Panel { series: visits(&states), place, shows: Shows::Mean },
+        Panel { series: variances(&states), place, shows: Shows::Variance },
+    ];
+    claims.push(Remark { name: "collision_or_absorption", words: words.join("; "), panels });
+}
+
+fn visits(states: &[Compared]) -> PanelSeries {
+    PanelSeries {
+        title: "Visits to each state".into(),
+        words: "The expected number of visits to each state, and the mean of the draws, with its interval, in the state that is asked for.".into(),
+        places: "state".into(),
+        quantity: "expected visits".into(),
+        formulas: vec![formula("by formula", states, |state| state.visits)],
+        ..PanelSeries::default()
+    }
+}
+
+fn variances(states: &[Compared]) -> PanelSeries {
+    PanelSeries {
+        title: "Variance of two estimators of the visits to each state".into(),
+        words: "Counting every visit beats scoring where a walk ends where the probability to return is below (1 - p*) / (1 + p*), in the shaded \
+                states; a state that never absorbs has no variance by absorption to be drawn. The variance of the draws, of whatever estimator, \
+                stands in the state that is asked for."
+            .into(),
+        places: "state".into(),
+        quantity: "variance of one walk".into(),
+        formulas: vec![
+            formula("absorption", states, |state| state.absorption),
+            formula("collision", states, |state| state.collision),
+        ],
+        shaded: states.iter().filter(|state| state.returns < state.limit).map(|state| state.state).collect(),
+        shade: "collision wins".into(),
+        ..PanelSeries::default()
+    }
+}
+
+fn formula(name: &str, states: &[Compared], of: fn(&Compared) -> f64) -> FormulaSeries {
+    FormulaSeries { name: name.into(), values: states.iter().map(|state| Real(of(state))).collect() }
 }
 
 /// Every state of a chain.
