@@ -76,6 +76,8 @@ pub trait Kind: Sized + Send + Sync + 'static {
     const ESTIMATES: bool;
     /// True if the means of estimates or weights are claimed. Provided: of estimates.
     const WEIGHS: bool = Self::ESTIMATES;
+    /// True if a row may be an escape, which files and programs may leave out. Provided: it is none.
+    const ESCAPES: bool = false;
     /// True if draws may grow towards a bound on the bias: there is one mean, or one law.
     const GROWS: bool;
 

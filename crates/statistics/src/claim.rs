@@ -6,6 +6,7 @@
 
 pub(crate) use crate::check::counted;
 use crate::detection::Detection;
+use crate::evidence::Fact;
 use crate::fold::{Folds, ProbableEscape, Tallies};
 use crate::judged::Judged;
 use freepath_draws::Draws;
@@ -134,6 +135,11 @@ pub trait Claim: Send + Sync {
         None
     }
 
+    /// The contradiction, for certain, between draws and later ones, of stage 2 or of a second start.
+    fn between(&self, _first: &Tallies, _later: &Tallies, _what: &str) -> Option<Fact> {
+        None
+    }
+
     /// The finding that a method biased by design should give after so many draws.
     fn design(&self, _draws: u64) -> Design {
         Design::Unbiased
@@ -200,6 +206,12 @@ impl<'a> Claims<'a> {
 
     fn precluded(&self, tallies: &Tallies) -> Option<String> {
         self.iter().find_map(|claim| claim.precludes(tallies))
+    }
+
+    /// What draws and later ones, which `what` names, contradict for certain.
+    #[must_use]
+    pub fn between(&self, first: &Tallies, later: &Tallies, what: &str) -> Vec<Fact> {
+        self.iter().filter_map(|claim| claim.between(first, later, what)).collect()
     }
 
     /// The first thing that is wrong for certain with the rows of a block.

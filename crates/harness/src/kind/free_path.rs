@@ -37,6 +37,7 @@ impl Kind for FreePathKind {
     const WRONG: &'static str = "the sampler does not follow the free-path law";
     const CONTROL: Option<&'static str> = Some("exact");
     const ESTIMATES: bool = false;
+    const ESCAPES: bool = true;
     const GROWS: bool = true;
 
     type Sampler<'a> = dyn FreePathSampler + 'a;
