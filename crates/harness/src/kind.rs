@@ -185,6 +185,16 @@ pub trait Kind: Sized + Send + Sync + 'static {
     ) {
     }
 
+    /// Hands `run` the sampler in its own scene, made empty under its own majorant, where every draw escapes or every estimate is
+    /// 1. Provided: there is no such scene.
+    fn in_vacuum(
+        _sampler: &Self::Sampler<'_>,
+        _scene: Self::Scene<'_>,
+        _terms: &Terms,
+        _run: &mut dyn FnMut(&dyn Experiment),
+    ) {
+    }
+
     /// The functional whose mean the microscope takes.
     ///
     /// # Errors

@@ -150,6 +150,22 @@ impl Kind for FreePathKind {
         }
     }
 
+    fn in_vacuum(
+        sampler: &Self::Sampler<'_>,
+        ray: Ray,
+        terms: &Terms,
+        run: &mut dyn FnMut(&dyn Experiment),
+    ) {
+        if terms.stands(Withdrawal::Truth) && sampler.claims(ray.truth).own_law.is_some() {
+            return; // its distances are not those of the medium
+        }
+        ray.emptied(&mut |empty| {
+            if sampler.accepts(empty.seen).is_ok() {
+                run(&InScene::<Self>::of(sampler, empty));
+            }
+        });
+    }
+
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
         let law = plan::Laws::of(ray, source, terms);
         Ok(Functional {

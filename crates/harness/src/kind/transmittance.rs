@@ -1,7 +1,7 @@
 use super::ray::{Methods, PlacedRay, Ray, draw};
-use super::{Kind, KindOf, Outline, Refusal, Source};
+use super::{InScene, Kind, KindOf, Outline, Refusal, Source};
 use crate::agree::Agreement;
-use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
 use crate::identities;
 use crate::samples::{Place, RowFormat};
@@ -122,6 +122,21 @@ impl Kind for Transmittance {
         let expected = stated.own.map_or(stated.truth.expected, |own| own.expected);
         facts.extend(identities::zero_variance(stated.truth.variance, expected, probe));
         facts
+    }
+
+    fn in_vacuum(
+        estimator: &Self::Sampler<'_>,
+        ray: Ray,
+        terms: &Terms,
+        run: &mut dyn FnMut(&dyn Experiment),
+    ) {
+        ray.emptied(&mut |empty| {
+            let stated = plan::Mean::of(empty, &Source::Sampler(estimator), terms).stated;
+            let still = stated.own.is_none() && stated.truth.is_noise_free();
+            if still && estimator.accepts(empty.seen).is_ok() {
+                run(&InScene::<Self>::of(estimator, empty));
+            }
+        });
     }
 
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {

@@ -27,6 +27,20 @@ fn written(paths: &[f64], escape: f64) -> Vec<f64> {
     paths.iter().map(|&t| if t == f64::INFINITY { escape } else { t }).collect()
 }
 
+/// The first third of the rows is stage 1, the rest stage 2: each is right by itself.
+#[test]
+fn rows_of_stage_2_may_be_no_rows_of_stage_1() {
+    let folder = ready("repeats_between_stages");
+    let mut rows = paths(60_000, 1.5);
+    rows.copy_within(5000..5200, 45_000);
+    put(&folder, "mine.csv", &csv(&rows));
+    let (code, out, _) = check(&folder, &["mine.csv"]);
+    assert!(code == 1 && out.contains("dependent"), "{out}");
+    assert!(out.contains("200 rows of stage 2 from row 25001 on are those of stage 1 from row 5001 on"), "{out}");
+    let (code, out, _) = check(&folder, &["mine.csv", "--without", "independent"]);
+    assert_eq!(code, 0, "{out}");
+}
+
 /// A code that writes down where photons collide, and nothing of those that do not.
 #[test]
 fn rows_that_are_collisions_alone_have_the_law_of_one() {

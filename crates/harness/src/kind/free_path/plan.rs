@@ -18,7 +18,6 @@ use freepath_statistics::fold::{
 };
 use freepath_statistics::hypothesis::{Cost, pair_probability};
 use freepath_statistics::tally::Scores;
-use freepath_statistics::Law;
 use std::sync::Arc;
 
 mod laws;
