@@ -76,7 +76,12 @@ const SCRIPTS: &[(&str, &str, &str, &str)] = &[
         "% of the draws are exactly 3, and none is infinite",
     ),
     ("seedless", "head -c $n right.f64", "dependent", "two seeds gave the same bytes"),
-    ("low_bits", "seed=$((seed % 1048576)); tail -c +$((1 + 8 * (seed % 700))) right.f64 | head -c $n", "dependent", "differ in bit 52 alone"),
+    (
+        "low_bits",
+        "seed=$((seed % 1048576)); tail -c +$((1 + 8 * (seed % 700))) right.f64 | head -c $n",
+        "dependent",
+        "differ in bit 52 alone",
+    ),
     ("clock", "head -c $n /dev/urandom", "not_reproducible", "the same seed gave other bytes"),
 ];
 
@@ -128,7 +133,10 @@ fn a_second_start_is_compared_with_the_first() {
     let folder = ready("programs_tile", &[("shares", &tile), ("right", RIGHT)], "");
     let (code, out, err) = run(&folder, &["run", "--allow-commands"]);
     assert_eq!((code, err.as_str()), (1, ""), "{out}");
-    assert!(out.contains("1000 rows of a second start from row 9001 on are those of stage 1 from row 9001 on"), "{out}");
+    assert!(
+        out.contains("1000 rows of a second start from row 9001 on are those of stage 1 from row 9001 on"),
+        "{out}"
+    );
     assert!(out.contains("dependent") && out.contains("ok  pass  free_path      right"), "{out}");
     let fails = "if [ $stage = 2 ]; then echo 'licence expired' >&2; exit 6; fi;";
     let folder = ready("programs_second", &[("expires", &format!("{fails} {RIGHT}"))], "");

@@ -63,10 +63,16 @@ impl CaseFile {
                 format!("a {kind} subject has no estimates or weights (only they have a range)"),
             );
         }
-        let of_estimates =
-            [(declared.binary, "binary"), (declared.own_mean.is_some(), "own_mean"), (declared.second_moment.is_some(), "second_moment")];
+        let of_estimates = [
+            (declared.binary, "binary"),
+            (declared.own_mean.is_some(), "own_mean"),
+            (declared.second_moment.is_some(), "second_moment"),
+        ];
         if let Some((_, key)) = of_estimates.into_iter().find(|(said, _)| *said && !named.estimates()) {
-            return refuse(&format!(".{key}"), format!("a {kind} subject has no estimates (only they have a {key})"));
+            return refuse(
+                &format!(".{key}"),
+                format!("a {kind} subject has no estimates (only they have a {key})"),
+            );
         }
         if declared.noise_free && !named.estimates() {
             return refuse(
@@ -84,7 +90,8 @@ impl CaseFile {
     fn check_escapes(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
         let may = subject.named().is_none_or(AnyNamed::may_leave_out_escapes);
         if subject.without.contains(&Withdrawal::Escapes) && !may {
-            let why = "escapes are left out by files and programs of free paths without weights (do not withdraw them)";
+            let why =
+                "escapes are left out by files and programs of free paths without weights (do not withdraw them)";
             return Err(self.refuse(&format!("{at}.without"), why));
         }
         Ok(())

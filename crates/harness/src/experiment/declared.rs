@@ -64,7 +64,9 @@ impl Declared {
     pub fn check_second_moment(&self) -> Result<(), String> {
         let Some(moment) = self.second_moment else { return Ok(()) };
         let Some([low, high]) = self.range else {
-            return Err("a second_moment needs a range (no test of one holds without; declare `range` as well)".into());
+            return Err(
+                "a second_moment needs a range (no test of one holds without; declare `range` as well)".into()
+            );
         };
         let (low, high, least) = (low * low, high * high, self.own_mean.map_or(0.0, |mean| mean * mean));
         let most = if low > high { low } else { high };

@@ -150,12 +150,7 @@ impl Kind for FreePathKind {
         }
     }
 
-    fn in_vacuum(
-        sampler: &Self::Sampler<'_>,
-        ray: Ray,
-        terms: &Terms,
-        run: &mut dyn FnMut(&dyn Experiment),
-    ) {
+    fn in_vacuum(sampler: &Self::Sampler<'_>, ray: Ray, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
         if terms.stands(Withdrawal::Truth) && sampler.claims(ray.truth).own_law.is_some() {
             return; // its distances are not those of the medium
         }

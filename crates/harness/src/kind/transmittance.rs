@@ -13,6 +13,7 @@ use freepath_estimators::{
 };
 use freepath_statistics::Fact;
 use freepath_statistics::claim::Withdrawal;
+use freepath_statistics::hypothesis::noise_free;
 use rand::Rng;
 
 mod control;
@@ -124,15 +125,10 @@ impl Kind for Transmittance {
         facts
     }
 
-    fn in_vacuum(
-        estimator: &Self::Sampler<'_>,
-        ray: Ray,
-        terms: &Terms,
-        run: &mut dyn FnMut(&dyn Experiment),
-    ) {
+    fn in_vacuum(estimator: &Self::Sampler<'_>, ray: Ray, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
         ray.emptied(&mut |empty| {
             let stated = plan::Mean::of(empty, &Source::Sampler(estimator), terms).stated;
-            let still = stated.own.is_none() && stated.truth.is_noise_free();
+            let still = stated.own.is_none() && noise_free(&stated.truth);
             if still && estimator.accepts(empty.seen).is_ok() {
                 run(&InScene::<Self>::of(estimator, empty));
             }

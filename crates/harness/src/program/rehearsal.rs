@@ -31,7 +31,8 @@ impl Program {
         }
         let high = self.short_start(seed(0) ^ HIGH, wanted)?;
         let copied = one == high && chance(&self.rows(&one)) < CHANCE;
-        let words = "two seeds that differ in bit 52 alone gave the same bytes: the program heeds a part of its seed";
+        let words =
+            "two seeds that differ in bit 52 alone gave the same bytes: the program heeds a part of its seed";
         Ok(copied.then(|| Fact::new(STREAMS.name, Reason::Dependent, words)).into_iter().collect())
     }
 

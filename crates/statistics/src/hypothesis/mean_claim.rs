@@ -24,17 +24,13 @@ impl MeanClaim {
         self.expected.abs()
     }
 
-    /// Every draw is known to be the mean itself: by a formula or a declaration, or since the mean is an end of the range.
-    #[must_use]
-    pub fn is_noise_free(&self) -> bool {
-        super::mean::noise_free(self)
-    }
-
     /// A bound on the error tells something: it is below the size of the mean, or no larger than an error that is tolerated, or draws of
     /// both signs were seen, whose mean may lie as near 0 as it likes. A mean whose draws have one sign is resolved by no bound that still allows 0.
     #[must_use]
     pub fn is_resolved(&self, sums: &PowerSums, bound: f64) -> bool {
-        bound < self.size() || bound <= self.slack || (sums.least < 0.0 && sums.greatest > 0.0 && bound.is_finite())
+        bound < self.size()
+            || bound <= self.slack
+            || (sums.least < 0.0 && sums.greatest > 0.0 && bound.is_finite())
     }
 }
 

@@ -5,8 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The spellings that there are, for messages.
-const ALLOWED: &str =
-    "range:LOW,HIGH with finite numbers LOW < HIGH, noise_free, binary, own_mean:X, second_moment:X, or replicates:N with N rows of 2 or more";
+const ALLOWED: &str = "range:LOW,HIGH with finite numbers LOW < HIGH, noise_free, binary, own_mean:X, second_moment:X, or replicates:N with N rows of 2 or more";
 
 /// One declaration, as a command line has it.
 impl FromStr for Declared {
@@ -50,7 +49,8 @@ impl fmt::Display for Declared {
         let own_mean = self.own_mean.map(|mean| format!("own_mean:{mean:e}"));
         let second_moment = self.second_moment.map(|moment| format!("second_moment:{moment:e}"));
         let replicates = self.replicates.map(|rows| format!("replicates:{rows}"));
-        let all: Vec<String> = [range, noise_free, binary, own_mean, second_moment, replicates].into_iter().flatten().collect();
+        let all: Vec<String> =
+            [range, noise_free, binary, own_mean, second_moment, replicates].into_iter().flatten().collect();
         f.write_str(&all.join(" "))
     }
 }
@@ -61,7 +61,15 @@ mod tests {
 
     #[test]
     fn a_declaration_is_read_as_it_is_written() {
-        for text in ["range:0e0,1e0", "range:-1.5e0,2e-3", "noise_free", "binary", "own_mean:-2e-1", "second_moment:3e-2", "replicates:1024"] {
+        for text in [
+            "range:0e0,1e0",
+            "range:-1.5e0,2e-3",
+            "noise_free",
+            "binary",
+            "own_mean:-2e-1",
+            "second_moment:3e-2",
+            "replicates:1024",
+        ] {
             assert_eq!(text.parse::<Declared>().unwrap().to_string(), text);
         }
         for text in [

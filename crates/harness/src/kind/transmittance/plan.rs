@@ -7,7 +7,8 @@ use crate::subject::Route;
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_estimators::claims::TransmittanceClaims;
 use freepath_statistics::claim::{
-    Bounded, Claims, EfficiencyClaim, InsideRay, LookupsClaim, Moments, PoissonClaim, SecondMomentClaim, Withdrawal,
+    Bounded, Claims, EfficiencyClaim, InsideRay, LookupsClaim, Moments, PoissonClaim, SecondMomentClaim,
+    Withdrawal,
 };
 use freepath_statistics::fold::{Collisions, FoldId, Histogram, Lookups, Weights};
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
