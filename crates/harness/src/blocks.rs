@@ -16,6 +16,8 @@ pub(crate) const IDENTITIES: u64 = 1 << 45;
 pub(crate) const NETS: u64 = 1 << 46;
 /// Short starts of a program.
 pub(crate) const REHEARSAL: u64 = 1 << 47;
+/// A second start of a program that passes.
+pub(crate) const SECOND_START: u64 = 1 << 48;
 
 /// The stage of a range of blocks, by the first of them.
 pub(crate) fn stage_of(first: u64) -> u32 {

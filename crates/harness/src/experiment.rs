@@ -116,6 +116,9 @@ pub trait Experiment: Send + Sync {
     /// Hands `run` the same subject in its own scene made so thick that nobody escapes, if there is one.
     fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment));
 
+    /// Hands `run` the same subject in its own scene made empty, if there is one in which every draw is known.
+    fn in_vacuum(&self, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment));
+
     /// The functional whose mean the microscope takes.
     ///
     /// # Errors

@@ -80,6 +80,8 @@ pub trait Kind: Sized + Send + Sync + 'static {
     const ESTIMATES: bool;
     /// True if the means of estimates or weights are claimed. Provided: of estimates.
     const WEIGHS: bool = Self::ESTIMATES;
+    /// True if a row may be an escape, which files and programs may leave out. Provided: it is none.
+    const ESCAPES: bool = false;
     /// True if draws may grow towards a bound on the bias: there is one mean, or one law.
     const GROWS: bool;
 
@@ -183,6 +185,16 @@ pub trait Kind: Sized + Send + Sync + 'static {
         _scene: Self::Scene<'_>,
         _terms: &Terms,
         _depth: f64,
+        _run: &mut dyn FnMut(&dyn Experiment),
+    ) {
+    }
+
+    /// Hands `run` the sampler in its own scene, made empty under its own majorant, where every draw escapes or every estimate is
+    /// 1. Provided: there is no such scene.
+    fn in_vacuum(
+        _sampler: &Self::Sampler<'_>,
+        _scene: Self::Scene<'_>,
+        _terms: &Terms,
         _run: &mut dyn FnMut(&dyn Experiment),
     ) {
     }

@@ -12,8 +12,9 @@
 //! a weight per channel. S is below 2^53, and another for each stage. The table is mu(t) under the majorants, as polynomials through
 //! the rows of each cell; in a chromatic medium `sigma_t` and `sigma_s` of each channel stand in its place.
 //!
-//! Before stage 1 three short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
-//! give different ones (else `dependent`).
+//! Before stage 1 four short starts show whether one seed gives the same bytes twice (else `not_reproducible`), and two seeds
+//! give different ones, be it that their highest bits alone differ (else `dependent`). A program that passes stage 1 is started once more
+//! for 65,536 rows, none of which may be rows of stage 1.
 
 use crate::samples::{RowFormat, RowReader, Rows, SampleSource, Wanted};
 use crate::subject::BLOCK;

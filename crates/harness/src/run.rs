@@ -13,6 +13,7 @@ use std::sync::atomic::AtomicBool;
 
 use agree::Settings;
 
+mod again;
 mod agree;
 mod detectable;
 mod efficiency;
@@ -164,7 +165,11 @@ fn stage_one<'a>(
         Some(probable) => subject.assuming(probable), // told once, in stage 1
         None => subject,
     };
-    Ok(Trial { case, prepared, subject, plan, first, second: None, seconds })
+    let mut trial = Trial { case, prepared, subject, plan, first, second: None, seconds };
+    if !trial.goes_on() {
+        again::second_start(&mut trial, options)?;
+    }
+    Ok(trial)
 }
 
 /// The draws of stage 1, judged, and grown towards the bound that was asked for; and the seconds of sampling.
@@ -217,6 +222,9 @@ fn stage_two(trial: &mut Trial, options: &Options) -> Result<(), Cancelled> {
         }
     };
     let (mut judged, mut draws) = (plan.claims.judge(&collected.tallies), collected.tallies.draws);
+    if let Some(before) = &first.collected {
+        judged.facts.extend(plan.claims.between(&before.tallies, &collected.tallies, "stage 2"));
+    }
     let settings = Settings { prepared, subject, plan, seed: options.seed };
     settings.agree(&collected.tallies, &(blocks..3 * blocks), &watch, &mut judged)?;
     if let Some(grown) = first.grown.as_ref().filter(|grown| !(grown.p.0 > SUSPECT)) {

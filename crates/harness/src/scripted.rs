@@ -10,6 +10,7 @@
 //! | NaN; an infinite weight | `non_finite` |
 //! | an escape from a medium of optical depth 1000, where the law has none | `non_finite` |
 //! | a draw or a look-up outside the ray, a weight outside its claimed range | `out_of_support` |
+//! | a collision in the same medium made empty, an estimate there that is not 1 where it has no noise | `out_of_support` |
 //! | a panic; the budget of look-ups or random words spent | `subject_error` |
 //!
 //! After the script every stream is real again, since under one that never changes a right subject need not end, and to
@@ -31,6 +32,7 @@ use freepath_statistics::tally::Audit;
 
 mod script;
 mod thick;
+mod vacuum;
 
 pub(crate) use script::Scripted;
 
@@ -41,7 +43,8 @@ pub(crate) const CHECK: Check = Check {
 positions of its stream and at the first 64, a subject gave NaN, an infinity where a finite value is due, a draw or a look-up outside the ray, or did not end.",
     details: "\
 Each word stands at each of the first eight positions of a real stream, and alone or in turn with another at the first 64,
-through the scalar and the block method. A medium of optical depth 1000, where nobody escapes, brings out -ln(0) for a step.
+through the scalar and the block method. A medium of optical depth 1000, where nobody escapes, brings out -ln(0) for a step; the same medium made empty
+under its own majorant brings out a collision that is accepted at u = mu / mu_bar = 0.
 Gives non_finite, out_of_support or subject_error. Some 3,000 draws for each method; a uniform of exactly 0 comes once in
 2^53 draws otherwise.",
     section: "scripted",
@@ -80,6 +83,7 @@ fn by(subject: &Subject, plan: &Plan, seed: u64) -> Vec<Fact> {
         }
     }
     found.extend(thick::escapes(subject, seed));
+    found.extend(vacuum::collisions(subject, seed));
     found.facts(subject.route)
 }
 

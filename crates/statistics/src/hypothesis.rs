@@ -77,8 +77,8 @@ pub use lag::{lag, lags};
 pub use list::TESTS;
 pub use lookups::{BlockLookups, Cost, lookups};
 pub use mean::{
-    Interval, Method, batch_mean, detectable_batch_mean, detectable_mean, interval_at, mean, undecided,
-    unseen_noise, within,
+    Interval, Method, batch_mean, detectable_batch_mean, detectable_mean, interval_at, mean, noise_free,
+    undecided, unseen_noise, within,
 };
 pub use mean_claim::MeanClaim;
 pub use neyman::neyman;

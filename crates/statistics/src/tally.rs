@@ -29,7 +29,7 @@ pub use flanks::{FLANKS, Flank, FlankTally, Flanks, Side};
 pub(crate) use lag::RANK_GROUPS;
 pub use lag::{LAGS, LagTally, Scores, Spread};
 pub use nulls::NullTally;
-pub use repeat::{Repeat, repeat};
+pub use repeat::{Repeat, repeat, repeat_across};
 pub use sequence::{
     BlockRows, Circular, Correlations, DyadicBatches, DyadicSums, EDGES_FROM, Edges, Escaped, Kept, MEASURES,
     MOST_ROWS, Prefix, RankGroups, ScoreMoments, Scored, Sequence, SequencePart,

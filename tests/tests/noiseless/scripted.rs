@@ -1,6 +1,7 @@
 //! Uniforms at their extremes.
 
-use crate::subject::{LENGTH, caught, estimator, in_medium, of_estimator, sinusoid, spike, tracking};
+use crate::subject::{Estimator, LENGTH, caught, estimator, in_medium, of_estimator, sinusoid, spike, tracking};
+use freepath_estimators::claims::TransmittanceClaims;
 use freepath_estimators::medium::{Constant, Sinusoid};
 use freepath_estimators::{Extinction, FreePath, FreePathSampler, Majorants, Medium};
 use freepath_results::Reason;
@@ -115,4 +116,51 @@ fn a_look_up_beyond_the_ray_is_seen_at_the_extremes() {
     };
     let medium = Sinusoid::new(0.7, 0.9, 2.0, 0.8, 0.7).expect("a medium");
     assert!(caught("scripted", Reason::OutOfSupport, &in_medium(&beyond, &medium)));
+}
+
+/// `u <= mu / mu_bar` accepts u = 0 where mu is 0.
+#[test]
+fn a_collision_in_vacuum_is_seen() {
+    let accepting = |closed: bool| {
+        move |medium: &dyn Extinction, rng: &mut dyn Rng| {
+            let (mut t, rate) = (0.0, medium.majorants().mu_bar_at(0.0));
+            loop {
+                t -= libm::log1p(-rng.random::<f64>()) / rate;
+                if !(t < medium.length()) {
+                    return f64::INFINITY;
+                }
+                let (u, share) = (rng.random::<f64>(), medium.mu(t) / rate);
+                if u < share || (closed && u <= share) {
+                    return t;
+                }
+            }
+        }
+    };
+    assert_eq!(in_medium(&accepting(false), &sinusoid()), []);
+    let facts = in_medium(&accepting(true), &sinusoid());
+    assert!(caught("scripted", Reason::OutOfSupport, &facts));
+    assert!(facts.iter().any(|fact| fact.words.contains("in a medium that is empty")), "{facts:?}");
+}
+
+#[test]
+fn an_estimate_in_vacuum_that_is_not_one_is_seen() {
+    let hits = |closed: bool| {
+        let estimate = move |medium: &dyn Extinction, rng: &mut dyn Rng| {
+            let (mut t, rate) = (0.0, medium.majorants().mu_bar_at(0.0));
+            loop {
+                t -= libm::log1p(-rng.random::<f64>()) / rate;
+                if !(t < medium.length()) {
+                    return 1.0;
+                }
+                let (u, share) = (rng.random::<f64>(), medium.mu(t) / rate);
+                if u < share || (closed && u <= share) {
+                    return 0.0;
+                }
+            }
+        };
+        let claims = TransmittanceClaims { range: Some((0.0, 1.0)), ..TransmittanceClaims::default() };
+        of_estimator(&Estimator(estimate, claims), &sinusoid())
+    };
+    assert_eq!(hits(false), []);
+    assert!(caught("scripted", Reason::OutOfSupport, &hits(true)));
 }

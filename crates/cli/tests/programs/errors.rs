@@ -11,6 +11,8 @@ pub(crate) const TESTS: &[Test] = &[
     ("a_request_need_not_be_read", a_request_need_not_be_read),
     ("chromatic_rows_are_read_with_care", chromatic_rows_are_read_with_care),
     ("a_program_of_estimates_is_judged_with_care", a_program_of_estimates_is_judged_with_care),
+    ("a_second_start_is_compared_with_the_first", a_second_start_is_compared_with_the_first),
+    ("what_is_not_reproducible_may_be_said_to_be_so", what_is_not_reproducible_may_be_said_to_be_so),
     ("what_cannot_be_started_is_told", what_cannot_be_started_is_told),
 ];
 
@@ -74,6 +76,12 @@ const SCRIPTS: &[(&str, &str, &str, &str)] = &[
         "% of the draws are exactly 3, and none is infinite",
     ),
     ("seedless", "head -c $n right.f64", "dependent", "two seeds gave the same bytes"),
+    (
+        "low_bits",
+        "seed=$((seed % 1048576)); tail -c +$((1 + 8 * (seed % 700))) right.f64 | head -c $n",
+        "dependent",
+        "differ in bit 52 alone",
+    ),
     ("clock", "head -c $n /dev/urandom", "not_reproducible", "the same seed gave other bytes"),
 ];
 
@@ -113,6 +121,38 @@ fn a_failure_in_stage_2_counts() {
     assert_eq!((code, err.as_str()), (1, ""), "{out}");
     assert!(out.contains("it ended with exit code 6 after 0 of 262144 bytes, and said: licence expired"), "{out}");
     assert!(out.contains("subject_error") && out.contains("ok  pass  transmittance  ratio_tracking"), "{out}");
+}
+
+/// A thousand rows that do not heed the seed, deep inside of each start: every test of one start passes them.
+fn a_second_start_is_compared_with_the_first() {
+    let tile = format!(
+        "if [ $n -le 2048 ]; then {RIGHT}; else at=$((1 + 8 * (786432 * (stage - 1) + 1024 * (seed % 700)))); \
+         tail -c +$at right.f64 | head -c $((8 * 9000)); tail -c 8000 right.f64; \
+         tail -c +$((at + 8 * 10000)) right.f64 | head -c $((n - 8 * 10000)); fi"
+    );
+    let folder = ready("programs_tile", &[("shares", &tile), ("right", RIGHT)], "");
+    let (code, out, err) = run(&folder, &["run", "--allow-commands"]);
+    assert_eq!((code, err.as_str()), (1, ""), "{out}");
+    assert!(
+        out.contains("1000 rows of a second start from row 9001 on are those of stage 1 from row 9001 on"),
+        "{out}"
+    );
+    assert!(out.contains("dependent") && out.contains("ok  pass  free_path      right"), "{out}");
+    let fails = "if [ $stage = 2 ]; then echo 'licence expired' >&2; exit 6; fi;";
+    let folder = ready("programs_second", &[("expires", &format!("{fails} {RIGHT}"))], "");
+    let (code, out, _) = run(&folder, &["run", "--allow-commands"]);
+    assert!(code == 1 && out.contains("said: licence expired"), "{out}");
+}
+
+fn what_is_not_reproducible_may_be_said_to_be_so() {
+    let folder = ready("programs_clock", &[("clock", &format!("seed=$((seed % 1000 + $$)); {RIGHT}"))], "");
+    let (code, out, _) = run(&folder, &["run", "--allow-commands"]);
+    assert!(code == 1 && out.contains("not_reproducible"), "{out}");
+    let case = std::fs::read_to_string(folder.join("cases/scripts.json")).unwrap();
+    let said = case.replace(r#"{ "name": "clock","#, r#"{ "name": "clock", "without": ["reproducible"],"#);
+    put(&folder, "cases/scripts.json", &said);
+    let (code, out, _) = run(&folder, &["run", "--allow-commands"]);
+    assert_eq!(code, 0, "{out}");
 }
 
 /// Neither whole nor at all: what counts is what is written.

@@ -93,9 +93,17 @@ fn the_request_says_what_the_protocol_says() {
     let requests: Vec<serde_json::Value> =
         requests.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let draws: Vec<_> = requests.iter().map(|request| request["draws"].as_u64().unwrap()).collect();
-    assert_eq!(draws[..4], [256, 256, 256, 16_384], "three short starts, then stage 1");
+    assert_eq!(draws[..5], [256, 256, 256, 256, 16_384], "four short starts, then stage 1");
+    assert!(draws[5..] == [65_536] || draws[5..] == [32_768], "a second start, or stage 2: {draws:?}");
     let seeds: Vec<_> = requests.iter().map(|request| request["seed"].as_u64().unwrap()).collect();
-    assert!(seeds[0] == seeds[1] && seeds[1] != seeds[2] && seeds[3] != seeds[0], "{seeds:?}");
+    assert!(
+        seeds[0] == seeds[1]
+            && seeds[1] != seeds[2]
+            && seeds[3] == seeds[0] ^ (1 << 52)
+            && seeds[4] != seeds[0]
+            && seeds[5] != seeds[4],
+        "{seeds:?}"
+    );
     let case_file = std::fs::canonicalize(folder.join("cases/scripts.json")).unwrap();
     for request in requests {
         assert!(request["seed"].as_u64().unwrap() < 1 << 53);

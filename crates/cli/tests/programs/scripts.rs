@@ -30,16 +30,18 @@ field() { printf '%s' "$line" | sed "s/.*\"$1\":\([0-9]*\).*/\1/"; }
 n=$((8 * $(field draws))); stage=$(field stage); seed=$(field seed)
 "#;
 
-/// Right free paths in the slab, in a file that scripts take theirs from: 16 different stretches of it.
+/// Right free paths in the slab, in a file that scripts take theirs from: stretches of its first part in stage 1, of the rest in later starts, so
+/// that no start has rows of another stage.
 fn right_draws(folder: &Path) {
     let mut rng = Key { seed: 1, subject: 9, block: 0 }.rng();
     let mut path = || {
         let t = exponential(&mut rng) / 1.5;
         if t < 2.0 { t } else { f64::INFINITY }
     };
-    let bytes: Vec<u8> = (0..48 * 16_384).flat_map(|_| path().to_le_bytes()).collect();
+    let bytes: Vec<u8> = (0..104 * 16_384).flat_map(|_| path().to_le_bytes()).collect();
     std::fs::write(folder.join("cases/right.f64"), bytes).unwrap();
 }
 
-/// A right program: the seed chooses where it begins.
-pub(crate) const RIGHT: &str = "tail -c +$((1 + 8 * 1024 * (seed % 700))) right.f64 | head -c $n";
+/// A right program: stage and seed choose where it begins.
+pub(crate) const RIGHT: &str =
+    "tail -c +$((1 + 8 * (786432 * (stage - 1) + 1024 * (seed % 700)))) right.f64 | head -c $n";

@@ -28,6 +28,8 @@ pub(crate) trait AnyNamed {
     fn grows(&self) -> bool;
     /// True if the means of its estimates or weights are claimed, of which a range can be declared.
     fn weighs(&self) -> bool;
+    /// True if its rows are made elsewhere, and escapes may be left out of them.
+    fn may_leave_out_escapes(&self) -> bool;
     /// True if a row is an estimate.
     fn estimates(&self) -> bool;
     /// The file that it is, if it is one.
@@ -66,6 +68,10 @@ impl<K: Kind> AnyNamed for Named<K> {
     }
     fn weighs(&self) -> bool {
         K::WEIGHS || self.samples().is_some_and(AnySamples::weighted)
+    }
+    fn may_leave_out_escapes(&self) -> bool {
+        let plain = self.samples().map_or(self.command().is_some(), |samples| !samples.weighted());
+        K::ESCAPES && plain
     }
     fn estimates(&self) -> bool {
         K::ESTIMATES

@@ -37,6 +37,7 @@ impl CaseFile {
             }
             self.check_masks_fault(&at, subject)?;
             self.check_declared(&at, subject)?;
+            self.check_escapes(&at, subject)?;
         }
         self.check_effort()
     }
@@ -83,6 +84,17 @@ impl CaseFile {
         declared.check_own_mean().or_else(|why| refuse(".own_mean", why))?;
         declared.check_second_moment().or_else(|why| refuse(".second_moment", why))?;
         declared.check_replicates().or_else(|why| refuse(".replicates", why))
+    }
+
+    /// Only rows that are made elsewhere may leave escapes out.
+    fn check_escapes(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {
+        let may = subject.named().is_none_or(AnyNamed::may_leave_out_escapes);
+        if subject.without.contains(&Withdrawal::Escapes) && !may {
+            let why =
+                "escapes are left out by files and programs of free paths without weights (do not withdraw them)";
+            return Err(self.refuse(&format!("{at}.without"), why));
+        }
+        Ok(())
     }
 
     fn check_kind(&self, at: &str, subject: &SubjectSpec) -> Result<(), CaseError> {

@@ -5,7 +5,9 @@ use super::{Collected, Stopped, WAVE, Watch};
 use crate::samples::{Rows, SampleSource, Wanted};
 use crate::subject::{BLOCK, Subject};
 use freepath_draws::Draws;
+use freepath_results::Reason;
 use freepath_statistics::Fact;
+use freepath_statistics::claim::Withdrawal;
 use freepath_statistics::fold::Folds;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -97,7 +99,10 @@ fn failed(why: String, watch: &Watch) -> Stopped {
 pub(crate) fn rehearse(subject: &Subject, seed: u64, watch: &Watch) -> Result<Vec<Fact>, Stopped> {
     let Some(source) = subject.experiment.external() else { return Ok(Vec::new()) };
     let wanted = Wanted { seed, subject: subject.key, blocks: 0..0, cancelled: watch.cancelled };
-    source.rehearse(&wanted).map_err(|why| failed(why, watch))
+    let mut facts = source.rehearse(&wanted).map_err(|why| failed(why, watch))?;
+    let withdrawn = subject.without.contains(&Withdrawal::Reproducible);
+    facts.retain(|fact| !(withdrawn && fact.reason == Reason::NotReproducible));
+    Ok(facts)
 }
 
 /// The rows of `blocks`, folded: the same for any number of threads, since blocks are put in order before their sums are

@@ -37,6 +37,7 @@ impl Kind for FreePathKind {
     const WRONG: &'static str = "the sampler does not follow the free-path law";
     const CONTROL: Option<&'static str> = Some("exact");
     const ESTIMATES: bool = false;
+    const ESCAPES: bool = true;
     const GROWS: bool = true;
 
     type Sampler<'a> = dyn FreePathSampler + 'a;
@@ -147,6 +148,17 @@ impl Kind for FreePathKind {
         {
             run(&InScene::<Self>::of(sampler, Ray { truth: &truth, seen: &seen }));
         }
+    }
+
+    fn in_vacuum(sampler: &Self::Sampler<'_>, ray: Ray, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
+        if terms.stands(Withdrawal::Truth) && sampler.claims(ray.truth).own_law.is_some() {
+            return; // its distances are not those of the medium
+        }
+        ray.emptied(&mut |empty| {
+            if sampler.accepts(empty.seen).is_ok() {
+                run(&InScene::<Self>::of(sampler, empty));
+            }
+        });
     }
 
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {

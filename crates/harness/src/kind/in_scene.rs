@@ -139,6 +139,11 @@ impl<K: Kind> Experiment for InScene<'_, K> {
             K::in_thick(sampler, self.scene, terms, depth, run);
         }
     }
+    fn in_vacuum(&self, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
+        if let Source::Sampler(sampler) = self.source {
+            K::in_vacuum(sampler, self.scene, terms, run);
+        }
+    }
     fn functional(&self, terms: &Terms) -> Result<Functional, String> {
         match self.source {
             Source::External(_) => {

@@ -81,6 +81,9 @@ impl<K: Kind> Experiment for Placed<K> {
     fn in_thick(&self, terms: &Terms, depth: f64, run: &mut dyn FnMut(&dyn Experiment)) {
         self.in_scene().in_thick(terms, depth, run);
     }
+    fn in_vacuum(&self, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
+        self.in_scene().in_vacuum(terms, run);
+    }
     fn functional(&self, terms: &Terms) -> Result<Functional, String> {
         self.in_scene().functional(terms)
     }

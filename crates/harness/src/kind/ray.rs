@@ -9,6 +9,7 @@ use crate::identities;
 use crate::scene::{MediumScene, Scene};
 use crate::subject::Route;
 use freepath_draws::{Draws, PathColumns, Streams};
+use freepath_estimators::medium::scaled;
 use freepath_estimators::{Extinction, FreePath, MajorantChoice, Medium, Shortfall, Under};
 use freepath_statistics::Fact;
 use rand::Rng;
@@ -33,6 +34,12 @@ impl<'a> Ray<'a> {
     /// exp(-tau).
     pub(super) fn transmittance(self) -> f64 {
         libm::exp(-self.truth.tau(self.truth.length()))
+    }
+
+    /// Hands `run` the ray without any extinction, under the majorant that is seen.
+    pub(super) fn emptied(self, run: &mut dyn FnMut(Ray)) {
+        let Ok(empty) = scaled(0.0, self.seen) else { return };
+        run(Ray::of(&Under::new(&empty, self.seen.majorants().clone())));
     }
 
     pub(super) fn facts(self) -> Vec<Fact> {

@@ -1,7 +1,7 @@
 use super::ray::{Methods, PlacedRay, Ray, draw};
-use super::{Kind, KindOf, Outline, Refusal, Source};
+use super::{InScene, Kind, KindOf, Outline, Refusal, Source};
 use crate::agree::Agreement;
-use crate::experiment::{DrawContext, Functional, Looked, Plan, Probe, Terms};
+use crate::experiment::{DrawContext, Experiment, Functional, Looked, Plan, Probe, Terms};
 use crate::fault::Fault;
 use crate::identities;
 use crate::samples::{Place, RowFormat};
@@ -13,6 +13,7 @@ use freepath_estimators::{
 };
 use freepath_statistics::Fact;
 use freepath_statistics::claim::Withdrawal;
+use freepath_statistics::hypothesis::noise_free;
 use rand::Rng;
 
 mod control;
@@ -122,6 +123,16 @@ impl Kind for Transmittance {
         let expected = stated.own.map_or(stated.truth.expected, |own| own.expected);
         facts.extend(identities::zero_variance(stated.truth.variance, expected, probe));
         facts
+    }
+
+    fn in_vacuum(estimator: &Self::Sampler<'_>, ray: Ray, terms: &Terms, run: &mut dyn FnMut(&dyn Experiment)) {
+        ray.emptied(&mut |empty| {
+            let stated = plan::Mean::of(empty, &Source::Sampler(estimator), terms).stated;
+            let still = stated.own.is_none() && noise_free(&stated.truth);
+            if still && estimator.accepts(empty.seen).is_ok() {
+                run(&InScene::<Self>::of(estimator, empty));
+            }
+        });
     }
 
     fn functional(ray: Ray, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {

@@ -1,4 +1,4 @@
-//! Three short starts: one seed twice, another once.
+//! Four short starts: one seed twice, another once, and one that differs from the first in its highest bit alone.
 
 use super::{Program, request};
 use crate::blocks::REHEARSAL;
@@ -7,6 +7,9 @@ use crate::samples::Wanted;
 use freepath_formats::Refusal;
 use freepath_results::Reason;
 use freepath_statistics::Fact;
+
+/// The highest bit of a seed below 2^53.
+const HIGH: u64 = 1 << 52;
 
 /// Draws of a short start.
 const ROWS: usize = 256;
@@ -23,6 +26,13 @@ impl Program {
         }
         let copied = one == other && chance(&self.rows(&one)) < CHANCE;
         let words = "two seeds gave the same bytes: the program does not heed its seed";
+        if copied {
+            return Ok(vec![Fact::new(STREAMS.name, Reason::Dependent, words)]);
+        }
+        let high = self.short_start(seed(0) ^ HIGH, wanted)?;
+        let copied = one == high && chance(&self.rows(&one)) < CHANCE;
+        let words =
+            "two seeds that differ in bit 52 alone gave the same bytes: the program heeds a part of its seed";
         Ok(copied.then(|| Fact::new(STREAMS.name, Reason::Dependent, words)).into_iter().collect())
     }
 

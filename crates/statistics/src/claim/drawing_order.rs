@@ -3,7 +3,7 @@ use crate::check;
 use crate::evidence::Fact;
 use crate::fold::{Copies, Fingerprint, FirstRows, FoldId, Monotone, Tallies};
 use crate::judged::Judged;
-use crate::tally::{Repeat, repeat};
+use crate::tally::{Repeat, repeat, repeat_across};
 use freepath_results::{ClaimResult, Reason};
 
 /// Rows that were made elsewhere stand in the order in which they were drawn, each drawn afresh: none of them come again, and they are
@@ -53,6 +53,26 @@ fn copied(blocks: &[Fingerprint]) -> Option<Fact> {
     (extra > 0).then(|| Fact::new(check::EQUAL_BLOCKS.name, Reason::Dependent, words))
 }
 
+/// Blocks that are blocks of other draws, unless chance may have made them so.
+fn shared(first: &[Fingerprint], later: &[Fingerprint], what: &str) -> Option<Fact> {
+    let mut known = first.to_vec();
+    known.sort_unstable();
+    let ln_pairs = libm::log(first.len() as f64 * later.len() as f64);
+    let told = |block: &&Fingerprint| libm::exp(ln_pairs - block.ln_orders()) < CHANCE;
+    let extra = later.iter().filter(told).filter(|block| known.binary_search(block).is_ok()).count();
+    let (all, rows) = (later.len(), later.first()?.rows);
+    let words = format!("{extra} of {all} blocks of {rows} rows of {what} are blocks of stage 1, row by row");
+    (extra > 0).then(|| Fact::new(check::EQUAL_BLOCKS.name, Reason::Dependent, words))
+}
+
+/// Rows of other draws that come again, unless chance may have made them so.
+fn repeated_in(first: &[u64], later: &[u64], what: &str) -> Option<Fact> {
+    let Repeat { first, again, rows } = repeat_across(first, later, CHANCE)?;
+    let words =
+        format!("{rows} rows of {what} from row {} on are those of stage 1 from row {} on", again + 1, first + 1);
+    Some(Fact::new(check::REPEATS.name, Reason::Dependent, words))
+}
+
 /// Rows that come again, unless chance may have made them so.
 fn repeated(words: &[u64]) -> Option<Fact> {
     let Repeat { first, again, rows } = repeat(words, CHANCE)?;
@@ -71,6 +91,13 @@ impl Claim for DrawingOrder {
 
     fn judge(&self, tallies: &Tallies, into: &mut Judged) {
         into.facts.extend(self.fact(tallies));
+    }
+
+    /// Rows of one start, or of one stage, that are rows of another once more: of what stands twice in either of them a fact tells.
+    fn between(&self, first: &Tallies, later: &Tallies, what: &str) -> Option<Fact> {
+        let (blocks, more) = (first.counts(self.copies), later.counts(self.copies));
+        let (rows, words) = (&first.sums(self.rows).words, &later.sums(self.rows).words);
+        shared(blocks, more, what).or_else(|| repeated_in(rows, words, what))
     }
 
     fn precludes(&self, tallies: &Tallies) -> Option<String> {

@@ -14,6 +14,11 @@ pub enum Withdrawal {
     Lookups,
     /// That draws are independent, and with it every test and bound that needs it: means and laws are judged by batches of rows.
     Independent,
+    /// That one seed gives the same draws twice, at once on several threads, and after other draws.
+    Reproducible,
+    /// That escapes are among the rows of a file or a program, as often as they should be: every row is then a collision, and has the law
+    /// of one.
+    Escapes,
     /// All that the optical depth tells: law, mean, moments, ties and look-ups. What remains are agreements, the support, the order
     /// of the draws, the audit, and what is checked without noise.
     Truth,

@@ -25,8 +25,8 @@ mod method;
 pub use detectable::detectable_mean;
 pub(super) use hall::corrected_p;
 pub use interval::{Interval, interval_at};
-pub use method::{Method, within};
-pub(super) use method::{gate, noise_free};
+pub(super) use method::gate;
+pub use method::{Method, noise_free, within};
 
 /// The test's record.
 pub(super) const TEST: Test = Test {
@@ -104,8 +104,7 @@ fn p_alone(evidence: &Evidence, sums: &PowerSums, claim: &MeanClaim) -> Option<f
     claim.binary.then(|| evidence.p.filter(|_| counted).unwrap_or(1.0))
 }
 
-/// The reason why a mean that has a p-value is left open all the same: its draws are all the same, and nobody says that they have no
-/// noise.
+/// The reason why a mean that has a p-value is left open: its draws are all the same, and nobody says that they have no noise.
 #[must_use]
 pub fn unseen_noise(sums: &PowerSums, claim: &MeanClaim, method: Method) -> Option<(Reason, String)> {
     match method {
@@ -180,13 +179,12 @@ mod tests {
 
     #[test]
     fn noise_that_was_not_seen_may_be_too_small_to_matter() {
-        let thin = MeanClaim { expected: 1e-7, range: Some((0.0, 1.0)), ..CLAIM };
+        let (thin, range) = (MeanClaim { expected: 1e-7, ..CLAIM }, Some((0.0, 1.0)));
         let open = |slack, n: usize, range| {
-            let claim = MeanClaim { slack, range, ..thin };
-            let (draws, method) = (vec![0.0; n], judged(&vec![0.0; n], claim).1.method);
-            unseen_noise(&PowerSums::of(claim.expected, &draws), &claim, method).is_some()
+            let (draws, claim) = (vec![0.0; n], MeanClaim { slack, range, ..thin });
+            unseen_noise(&PowerSums::of(1e-7, &draws), &claim, judged(&draws, claim).1.method).is_some()
         };
-        assert!(!open(5e-3, 20_000, thin.range) && open(5e-3, 2000, thin.range) && open(5e-3, 20_000, None));
+        assert!(!open(5e-3, 20_000, range) && open(5e-3, 2000, range) && open(5e-3, 20_000, None));
     }
 
     #[test]

@@ -36,6 +36,20 @@ pub fn repeat(words: &[u64], chance: f64) -> Option<Repeat> {
     Some(Repeat { first, again, rows: alike })
 }
 
+/// The first of the sequences of `later` rows that are those of `first` rows once more, by the same rule: its place in either.
+#[must_use]
+pub fn repeat_across(first: &[u64], later: &[u64], chance: f64) -> Option<Repeat> {
+    let words = [first, later].concat();
+    let rows = rows_needed(&words, chance)?;
+    let (sequences, start) = (hashes(&words, rows), first.len());
+    let mut seen = Seen::of(&sequences);
+    let hits = (0..sequences.len()).filter_map(|place| seen.first(place).map(|first| (first, place)));
+    let mut across = hits.filter(|&(a, b)| a + rows <= start && b >= start);
+    let (a, b) = across.find(|&(a, b)| words[a..a + rows] == words[b..b + rows])?;
+    let alike = words[a..start].iter().zip(&words[b..]).take_while(|(a, b)| a == b).count();
+    Some(Repeat { first: a, again: b - start, rows: alike })
+}
+
 /// Rows that a sequence needs to be no coincidence.
 fn rows_needed(words: &[u64], chance: f64) -> Option<usize> {
     let n = words.len() as f64;
@@ -185,6 +199,19 @@ mod tests {
             let Repeat { first, again, rows: found } = repeat(&all, 1e-12).expect("a repeat");
             assert_eq!((again - first, found >= rows), (19_000, true), "{kind}");
         }
+    }
+
+    #[test]
+    fn rows_of_another_start_that_come_again_are_found_in_either() {
+        for (kind, rows) in [(0, 4), (1, 100), (2, 64), (3, 64), (4, 300)] {
+            let (first, mut later) = (words(kind, 1 << 15, 9), words(kind, 1 << 14, 10));
+            assert_eq!(repeat_across(&first, &later, 1e-12), None, "{kind}");
+            later[7000..7000 + rows].copy_from_slice(&first[1000..1000 + rows]);
+            let Repeat { first, again, rows: found } = repeat_across(&first, &later, 1e-12).expect("a repeat");
+            assert!(again - 6000 == first && found >= rows, "{kind}: {first} {again} {found}");
+        }
+        let same = words(0, 64, 1);
+        assert_eq!(repeat_across(&same, &[], 1e-12), None);
     }
 
     #[test]

@@ -27,6 +27,44 @@ fn written(paths: &[f64], escape: f64) -> Vec<f64> {
     paths.iter().map(|&t| if t == f64::INFINITY { escape } else { t }).collect()
 }
 
+/// The first third of the rows is stage 1, the rest stage 2: each is right by itself.
+#[test]
+fn rows_of_stage_2_may_be_no_rows_of_stage_1() {
+    let folder = ready("repeats_between_stages");
+    let mut rows = paths(60_000, 1.5);
+    rows.copy_within(5000..5200, 45_000);
+    put(&folder, "mine.csv", &csv(&rows));
+    let (code, out, _) = check(&folder, &["mine.csv"]);
+    assert!(code == 1 && out.contains("dependent"), "{out}");
+    assert!(out.contains("200 rows of stage 2 from row 25001 on are those of stage 1 from row 5001 on"), "{out}");
+    let (code, out, _) = check(&folder, &["mine.csv", "--without", "independent"]);
+    assert!(code == 4 && !out.contains("rows of stage 2"), "withdrawn, and too few rows for batches: {out}");
+}
+
+/// A code that writes down where photons collide, and nothing of those that do not.
+#[test]
+fn rows_that_are_collisions_alone_have_the_law_of_one() {
+    let folder = ready("escapes_left_out");
+    let of = |mu: f64, escapes: bool, more: &[&str]| {
+        let rows: Vec<f64> = paths(60_000, mu).into_iter().filter(|t| escapes || t.is_finite()).collect();
+        put(&folder, "mine.csv", &csv(&rows));
+        check(&folder, &[&["mine.csv"], more].concat())
+    };
+    let without = ["--without", "escapes"];
+    let (code, out, err) = of(1.5, false, &without);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let (code, out, _) = of(1.6, false, &without);
+    assert!(code == 1 && out.contains("wrong_law"), "{out}");
+    let (code, out, _) = of(1.5, true, &without);
+    assert!(code == 1 && out.contains("wrong_law"), "no row may be an escape: {out}");
+    let (code, out, _) = of(1.5, false, &[]);
+    assert!(code == 1 && out.contains("wrong_law"), "escapes are due: {out}");
+    let subject = r#"{ "free_path": { "exact": {} }, "without": ["escapes"] }"#;
+    put(&folder, "cases/slab.json", &CASE.replace(r#"{ "free_path": { "exact": {} } }"#, subject));
+    let (code, _, err) = run(&folder, &["run"]);
+    assert!(code == 2 && err.contains("left out by files and programs") && err.contains("slab.json:4:"), "{err}");
+}
+
 #[test]
 fn what_stands_for_an_escape_is_told_with_its_share_and_its_flag() {
     let (folder, right) = (ready("check_escapes"), paths(6000, 1.5));

@@ -72,6 +72,7 @@ impl Experiment for InParts<'_> {
         Vec::new()
     }
     fn in_thick(&self, _: &Terms, _: f64, _: &mut dyn FnMut(&dyn Experiment)) {}
+    fn in_vacuum(&self, _: &Terms, _: &mut dyn FnMut(&dyn Experiment)) {}
     fn functional(&self, _: &Terms) -> Result<Functional, String> {
         Err("a ray in two parts is drawn beside another subject".into())
     }

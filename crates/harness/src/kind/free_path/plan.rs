@@ -18,42 +18,16 @@ use freepath_statistics::fold::{
 };
 use freepath_statistics::hypothesis::{Cost, pair_probability};
 use freepath_statistics::tally::Scores;
-use freepath_statistics::{Grain, Law};
 use std::sync::Arc;
 
+mod laws;
 mod within_cells;
+
+pub(super) use laws::Laws;
+use laws::{collided_alone, survival};
 
 /// Sets the streams of a ray in two parts apart from those of the whole.
 const IN_PARTS: u64 = 0x9e37_79b9_7f4a_7c15;
-
-/// The medium's law, and the law that the sampler has by design.
-pub(super) struct Laws {
-    pub(super) truth: Arc<Law>,
-    /// If that is another; on the same cells.
-    pub(super) own: Option<Arc<Law>>,
-}
-
-impl Laws {
-    pub(super) fn of(ray: Ray, source: &Source<FreePathKind>, terms: &Terms) -> Self {
-        let truth = ray.truth;
-        let law = Law::new(truth.length(), terms.tolerance + truth.tau_error(), |t| libm::exp(-truth.tau(t)));
-        let law = law.grained(Grain::of_bits(terms.bits));
-        let law = if source.is_external() {
-            let rounding = terms.tolerance * law.steepness(); // each t may be off by that share of it
-            law.loosened(rounding)
-        } else {
-            law
-        };
-        let survival = source.sampler().and_then(|sampler| sampler.claims(truth).own_law);
-        let own = survival.map(|survival| Arc::new(law.with_survival(terms.tolerance + 1e-9, survival)));
-        Self { truth: Arc::new(law), own }
-    }
-
-    /// The law that the draws should follow.
-    fn followed(&self) -> &Arc<Law> {
-        self.own.as_ref().unwrap_or(&self.truth)
-    }
-}
 
 /// The claims of the sampler: of a file nothing that is not true of any right sampler.
 fn said<'a>(ray: Ray<'a>, source: &Source<'a, FreePathKind>) -> FreePathClaims<'a> {

@@ -100,7 +100,8 @@ pub(super) fn exact(sums: &PowerSums, claim: &MeanClaim) -> bool {
 }
 
 /// True if it is known that the draws have no noise: by a formula or a declaration, or since their mean is an end of their range.
-pub(in crate::hypothesis) fn noise_free(claim: &MeanClaim) -> bool {
+#[must_use]
+pub fn noise_free(claim: &MeanClaim) -> bool {
     let MeanClaim { expected, range, variance, .. } = *claim;
     let at_an_end = |(low, high): (f64, f64)| !(low < expected && expected < high);
     expected == 0.0 || variance.is_some_and(|v| v <= noise(claim)) || range.is_some_and(at_an_end)

@@ -1,4 +1,4 @@
-use super::Builder;
+use super::{Builder, collided_alone, survival};
 use freepath_draws::column::T;
 use freepath_results::Reason;
 use freepath_statistics::Law;
@@ -28,7 +28,8 @@ impl<'a> Builder<'a, '_> {
         {
             self.known(Known { prefix: "own_", law, survival, reason: Reason::WrongLaw }, ends);
         }
-        let (law, survival) = (self.laws.truth.clone(), Box::new(move |t| libm::exp(-medium.tau(t))));
+        let collided = collided_alone(self.ray, self.source, self.terms);
+        let (law, survival) = (self.laws.truth.clone(), Box::new(survival(medium, collided)));
         self.known(Known { prefix: "", law, survival, reason }, ends);
     }
 
