@@ -2,7 +2,8 @@
 //! section for each of both.
 
 use crate::identities::{
-    composition, counts, density, envelope, history, inverse, medium, reproducible, roulette, support, table, zero_variance,
+    composition, counts, density, envelope, history, inverse, medium, reproducible, roulette, support, table,
+    zero_variance,
 };
 use crate::scripted;
 use freepath_statistics::check::{self, Check};

@@ -102,6 +102,8 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let weights = json!({ "scene": { "discrete": { "weights": [2, 1] } } });
     let grid = json!({ "scene": { "grid": { "values": [[1, 2], [3, 4]] } } });
     let rows = json!({ "table_2d": { "marginal_conditional": {} } });
+    let integral = json!({ "scene": { "integrand": { "f": "x", "domain": [0, 1] } } });
+    let mixed = json!({ "integral": { "mixture": { "of": ["1"], "weights": [1.0] } } });
     let line = json!({ "scene": { "density_1d": { "pdf": "2*x", "domain": [0, 1] } } });
     let rejected = json!({ "density": { "rejection": { "envelope": 2 } } });
     let chain =
@@ -119,7 +121,7 @@ fn every_fault_can_be_planted_as_its_example_says() {
     let places = places.chain(chromatic.iter().map(|subject| (&channels, subject)));
     let places = places.chain(tables.iter().map(|subject| (&weights, subject)));
     let places = places.chain(walks.iter().map(|subject| (&chain, subject)));
-    let places: Vec<_> = places.chain([(&grid, &rows), (&line, &rejected)]).collect();
+    let places: Vec<_> = places.chain([(&grid, &rows), (&line, &rejected), (&integral, &mixed)]).collect();
     for entry in listed(&folder).iter().filter(|entry| entry["kind"] == "fault") {
         let fault = example(&folder, "fault", entry["name"].as_str().unwrap());
         let fits = places.iter().any(|(scene, subject)| {

@@ -68,7 +68,12 @@ impl Fault {
     pub(crate) fn alters_lookups(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::LookUps | Layer::Walk | Layer::Uniforms => true,
-            Layer::Majorants | Layer::Numbers | Layer::Tables | Layer::Densities | Layer::Draws | Layer::Channels => false,
+            Layer::Majorants
+            | Layer::Numbers
+            | Layer::Tables
+            | Layer::Densities
+            | Layer::Draws
+            | Layer::Channels => false,
         })
     }
 
@@ -76,7 +81,12 @@ impl Fault {
     pub(crate) fn need_scalar(faults: &[Self]) -> bool {
         faults.iter().any(|fault| match fault.layer() {
             Layer::Walk | Layer::Uniforms | Layer::Numbers => true,
-            Layer::Majorants | Layer::LookUps | Layer::Tables | Layer::Densities | Layer::Draws | Layer::Channels => false,
+            Layer::Majorants
+            | Layer::LookUps
+            | Layer::Tables
+            | Layer::Densities
+            | Layer::Draws
+            | Layer::Channels => false,
         })
     }
 }

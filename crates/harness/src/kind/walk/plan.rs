@@ -24,7 +24,6 @@ const SCORES: &[&str] = &[WEIGHT];
 /// What elimination may leave of an error, relative to the solution.
 pub(super) const SOLVED: f64 = 1e-11;
 
-
 /// Claims on the scores of walks while they are put together.
 struct Builder<'a, 'b> {
     terms: &'b Terms<'b>,
