@@ -1,8 +1,10 @@
 //! One line in a `cargo test`: the whole battery on a sampler or a medium of your own.
 
+mod integral;
 mod scenes;
 mod walk;
 
+pub use integral::assert_integral;
 pub use scenes::{assert_density, assert_direction, assert_discrete, assert_estimate, assert_table_2d};
 pub use walk::assert_walk;
 

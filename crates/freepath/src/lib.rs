@@ -22,6 +22,7 @@
 //! | weights of channels | a [`ChromaticSampler`] and a [`medium::Chromatic`] | [`assert_chromatic`] |
 //! | a mean that is known | an [`Estimator`] and a [`scene::Number`] | [`assert_estimate`] |
 //! | a law on a line | a [`DensitySampler`] and a [`density::Target`] | [`assert_density`] |
+//! | an integral | an [`Integrator`] and an [`integral::Integrand`] | [`assert_integral`] |
 //! | categories | a [`DiscreteSampler`] and [`discrete::Categories`] | [`assert_discrete`] |
 //! | directions | a [`DirectionSampler`] and [`direction::Directions`] | [`assert_direction`] |
 //! | a linear system or a chain by random walks | a [`WalkEstimator`] and a [`walk::System`] | [`assert_walk`] |
@@ -42,17 +43,17 @@ mod check;
 
 pub use assert::{
     Effort, assert_chromatic, assert_density, assert_direction, assert_discrete, assert_estimate,
-    assert_free_path, assert_table_2d, assert_transmittance, assert_walk, verify,
+    assert_free_path, assert_integral, assert_table_2d, assert_transmittance, assert_walk, verify,
 };
 pub use check::check;
 pub use freepath_estimators::{
     Capability, Cells, ChromaticSampler, DensitySampler, DirectionSampler, DiscreteSampler, Draws, Estimator,
-    Extinction, FreePath, FreePathSampler, Key, List, MajorantChoice, Majorants, Medium, ParameterError, Streams,
-    Table2dSampler, TransmittanceEstimator, Under, WalkEstimator,
+    Extinction, FreePath, FreePathSampler, Integrator, Key, List, MajorantChoice, Majorants, Medium,
+    ParameterError, Streams, Table2dSampler, TransmittanceEstimator, Under, WalkEstimator,
 };
 pub use freepath_estimators::{
-    capability, chromatic, claims, density, direction, discrete, estimate, free_path, list, medium, parameter,
-    table_2d, transmittance, walk,
+    capability, chromatic, claims, density, direction, discrete, estimate, free_path, integral, list, medium,
+    parameter, table_2d, transmittance, walk,
 };
 pub use freepath_harness::scene;
 #[cfg(feature = "report")]

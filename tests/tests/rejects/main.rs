@@ -9,6 +9,7 @@ mod discrete;
 mod estimates;
 mod every_test;
 mod facts;
+mod integral;
 mod joint;
 mod later;
 mod laws;

@@ -31,14 +31,14 @@ pub struct Integration {
     truth: Known,
 }
 
-impl Integration {
-    /// An integrand whose integral is known.
+impl Integral {
+    /// The scene of an integrand: its integral is known.
     ///
     /// # Errors
     /// If two rules of quadrature disagree on it.
-    pub fn new(seen: Integrand) -> Result<Self, ParameterError> {
+    pub fn scene_of(seen: Integrand) -> Result<Integration, ParameterError> {
         let truth = truth::truth(&seen)?;
-        Ok(Self { seen, truth })
+        Ok(Integration { seen, truth })
     }
 }
 
@@ -65,7 +65,7 @@ impl Kind for Integral {
     fn place(scene: &dyn Scene, _: Option<&MajorantChoice>) -> Result<Integration, Refusal> {
         let why = || Refusal::Scene("an estimate of an integral needs one (the scene `integrand`)".into());
         let scene = scene.get::<scene::Integrand>().ok_or_else(why)?;
-        scene.seen().and_then(Integration::new).map_err(|why| Refusal::Scene(why.to_string()))
+        scene.seen().and_then(Self::scene_of).map_err(|why| Refusal::Scene(why.to_string()))
     }
 
     fn outline(_: &Integration) -> Outline<'_> {

@@ -146,15 +146,16 @@ impl Kind for Walk {
     }
 
     fn facts(scene: &Arc<InSystem>, source: &Source<Self>, probe: &Probe) -> Vec<Fact> {
-        let mean = plan::mean(scene, source, &probe.terms());
+        let mean = plan::mean(scene, source, &probe.terms()).truth;
         identities::zero_variance(mean.variance, mean.expected, probe).into_iter().collect()
     }
 
     fn functional(scene: &Arc<InSystem>, source: &Source<Self>, terms: &Terms) -> Result<Functional, String> {
+        let mean = plan::mean(scene, source, terms);
         Ok(Functional {
             value: |draws| draws.f64(column::WEIGHT).map_or(f64::NAN, |weight| weight[0]),
-            expected: plan::mean(scene, source, terms).expected,
-            declared: 0.0,
+            expected: mean.truth.expected,
+            declared: mean.design_bias(),
             relative_error: plan::SOLVED,
         })
     }

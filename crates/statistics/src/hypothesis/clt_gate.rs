@@ -45,6 +45,10 @@ pub fn clt_gate(sums: &PowerSums) -> Option<(Reason, String)> {
 
 /// The reason why a mean has no p-value: what [`clt_gate`] says, or else its skewness.
 pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (Reason, String) {
+    if claim.skewness.is_some_and(f64::is_infinite) {
+        let why = "the third moment of a draw is infinite, or nobody knows it: the draws say little of the largest to come";
+        return (Reason::HeavyTail, why.into());
+    }
     let n = sums.n as f64;
     let error = (sums.variance() / n).sqrt();
     let due = claim.variance.map_or(0.0, |v| (v / n).sqrt());
@@ -62,9 +66,7 @@ pub(super) fn withheld(sums: &PowerSums, claim: &MeanClaim, skewness: f64) -> (R
     clt_gate(sums).unwrap_or_else(|| {
         let reason = if known { Reason::NotEnoughDraws } else { Reason::HeavyTail };
         let enough = 100.0 * skewness * skewness;
-        let why = if skewness.is_infinite() {
-            "the third moment of a draw is infinite, or nobody knows it: the spread of the draws says little of the next ones".into()
-        } else if skewness.is_finite() {
+        let why = if skewness.is_finite() {
             format!("skewness {skewness:.3e} needs {enough:.1e} draws, not {n:.1e}, as no range is known")
         } else {
             "the draws are so small that their cubes are 0, which leaves their skewness unknown".into()

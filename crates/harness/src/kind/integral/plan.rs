@@ -48,10 +48,12 @@ pub(super) fn mean(scene: &Integration, source: &Source<Integral>, terms: &Terms
 /// Variance and skewness of an estimate, where they exist and the density of its draws is told.
 fn of_density(scene: &Integration, integrator: &dyn Integrator) -> (Option<f64>, Option<f64>) {
     let value = |known: Option<Known>| known.map_or(f64::INFINITY, |known| known.value);
-    let (variance, skewness) =
-        moments(integrator, &scene.seen).map_or((None, None), |moments| spread(&moments.map(value)));
+    let Some(moments) = moments(integrator, &scene.seen) else { return (None, None) };
     let draws = f64::from(integrator.draws());
-    (variance.map(|variance| variance / draws), skewness.map(|skewness| skewness / draws.sqrt()))
+    match spread(&moments.map(value)) {
+        (Some(variance), skewness) => (Some(variance / draws), skewness.map(|skewness| skewness / draws.sqrt())),
+        (None, _) => (None, Some(f64::INFINITY)), // without a second moment there is no third
+    }
 }
 
 /// The second moment of an estimate of one draw.

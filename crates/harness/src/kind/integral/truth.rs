@@ -49,5 +49,12 @@ pub(super) fn moments(integrator: &dyn Integrator, integrand: &Integrand) -> Opt
         let (f, p) = (integrand.f(x), integrator.pdf(integrand, x).unwrap_or(f64::NAN));
         if f.abs() <= 0.0 { 0.0 } else { (1..k).fold(f, |product, _| product * (f / p)) }
     };
-    Some(std::array::from_fn(|k| integral(integrand, &|x| term(x, k + 1))))
+    let mut all = [None; ORDERS];
+    for (k, moment) in all.iter_mut().enumerate() {
+        *moment = integral(integrand, &|x| term(x, k + 1));
+        if moment.is_none() {
+            break; // where one does not exist, no higher one does
+        }
+    }
+    Some(all)
 }

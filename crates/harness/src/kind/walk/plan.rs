@@ -1,20 +1,18 @@
 use super::in_system::{InSystem, Known};
 use super::{Walk, remarks};
 use crate::experiment::{Plan, Terms};
+use crate::kind::Source;
 use crate::kind::column_order::OrderedColumn;
-use crate::kind::stated::spread;
-use crate::kind::{Source, batches};
+use crate::kind::stated::{StatedMean, spread};
 use freepath_draws::column::{COLLISIONS, WEIGHT};
 use freepath_results::Reason;
 use freepath_statistics::Law;
 use freepath_statistics::claim::{
-    BoundedMean, Claims, CountColumn, CountLaw, Domain, EfficiencyClaim, EnoughRows, Estimates, InfiniteVariance,
-    LawClaim, LookupsClaim, MeanAgreement, Moments, NoiseFree, SecondMomentClaim, Spread, WeightClaim, Withdrawal,
-    bets, bounds, portfolio,
+    Claims, CountColumn, CountLaw, Domain, EfficiencyClaim, InfiniteVariance, LawClaim, LookupsClaim, Moments,
+    SecondMomentClaim, Withdrawal,
 };
 use freepath_statistics::fold::{
-    Batched, CapitalSums, Cells, Collisions, FoldId, Histogram, Inside, Lookups, Places, Rank, Values, WealthSums,
-    Weights,
+    Cells, Collisions, FoldId, Histogram, Inside, Lookups, Places, Rank, Values, Weights,
 };
 use freepath_statistics::hypothesis::{Cost, MeanClaim, SecondMoment};
 use std::sync::Arc;
@@ -28,7 +26,7 @@ pub(super) const SOLVED: f64 = 1e-11;
 struct Builder<'a, 'b> {
     terms: &'b Terms<'b>,
     known: Option<Arc<Known>>,
-    mean: MeanClaim,
+    mean: StatedMean,
     claims: Claims<'a>,
     weights: FoldId<Weights>,
     lookups: FoldId<Lookups>,
@@ -54,7 +52,7 @@ fn known(scene: &InSystem, source: &Source<Walk>) -> Option<Arc<Known>> {
 }
 
 /// The mean of the scores.
-pub(super) fn mean(scene: &InSystem, source: &Source<Walk>, terms: &Terms) -> MeanClaim {
+pub(super) fn mean(scene: &InSystem, source: &Source<Walk>, terms: &Terms) -> StatedMean {
     let (known, expected) = (known(scene, source), scene.mean.unwrap_or(f64::NAN));
     let (variance, skewness) = match source {
         Source::Control => (Some(0.0), None),
@@ -62,69 +60,48 @@ pub(super) fn mean(scene: &InSystem, source: &Source<Walk>, terms: &Terms) -> Me
             known.as_ref().map_or((None, None), |known| spread(&known.moments))
         }
     };
-    MeanClaim {
+    let known = MeanClaim {
         expected,
         slack: terms.tolerance + SOLVED * expected.abs(),
         binary: false,
-        range: terms.declared.range(known.and_then(|known| known.range)),
-        variance: terms.declared.variance(variance),
+        range: known.and_then(|known| known.range),
+        variance,
         skewness,
-    }
+    };
+    StatedMean::new(known, None, terms)
 }
 
 impl<'b> Builder<'_, 'b> {
-    fn new(known: Option<Arc<Known>>, mean: MeanClaim, terms: &'b Terms<'b>) -> Self {
+    fn new(known: Option<Arc<Known>>, mean: StatedMean, terms: &'b Terms<'b>) -> Self {
         let mut claims = Claims::default();
-        let keeps_tail = mean.range.is_none() && mean.variance.is_none();
-        let weights = claims.folds.add(Weights { column: WEIGHT, center: mean.expected, keeps_tail });
+        let weights = mean.weights(&mut claims);
         let lookups = claims.folds.add(Lookups);
         Self { terms, known, mean, claims, weights, lookups }
     }
 
     /// Claims that hold whatever the mean, and those that compare estimators and settings.
     fn support(&mut self, external: bool) {
-        let (weights, lookups, truth, tolerance) = (self.weights, self.lookups, self.mean, self.terms.tolerance);
-        self.claims.push(Estimates { column: WEIGHT, weights, range: truth.range, tolerance });
-        if self.terms.declared.noise_free {
-            self.claims.push(NoiseFree { weights, rounding: 1e-9 * truth.expected.abs() + tolerance });
-        }
-        if external {
-            self.claims.push(EnoughRows);
-        }
-        self.claims.push(MeanAgreement { weights, spread: Spread { range: truth.range, binary: truth.binary } });
+        let (weights, lookups, mean) = (self.weights, self.lookups, self.mean);
+        mean.support(weights, external, self.terms, &mut self.claims);
         let moments = self.known.as_ref().map(|known| known.moments).filter(|moments| moments[3].is_finite());
-        self.claims.push(EfficiencyClaim { weights, lookups, truth, design_bias: 0.0, moments });
+        let (truth, design_bias) = (mean.truth, mean.design_bias());
+        self.claims.push(EfficiencyClaim { weights, lookups, truth, design_bias, moments });
     }
 
     /// The mean and the second moment, or why neither can be judged.
     fn moments(&mut self) {
-        let (weights, truth) = (self.weights, self.mean);
+        let (weights, StatedMean { truth, .. }) = (self.weights, self.mean);
         let radius = self.known.as_ref().and_then(|known| known.radius);
         if let Some(radius) = radius {
             let why = format!("the spectral radius of H^2 / P is {radius:.6}, not below 1");
             return self.claims.push(InfiniteVariance { expected: truth.expected, why });
         }
-        let fold = |bets| CapitalSums { column: WEIGHT, bets };
-        let capitals = bets(&truth, self.terms.bias_bound).map(|bets| self.claims.folds.add(fold(bets)));
-        self.claims.push(WeightClaim { weights, truth, own: None, order: None, capitals });
-        self.range();
-        let (sums, fold) = (Moments::Column(weights), Batched::column(WEIGHT));
-        batches::mean(("mean", Reason::Biased), sums, fold, truth, self.terms, &mut self.claims);
+        self.mean.means(weights, None, self.terms, &mut self.claims);
         let moments = self.known.as_ref().map(|known| known.moments);
         if let Some([_, m2, _, m4, _, m6]) = moments.filter(|_| self.terms.stands(Withdrawal::SecondMoment)) {
-            let moment = SecondMoment { moments: [m2, m4, m6], error: SOLVED, slack: truth.slack };
+            let (moments, sums) = ([m2, m4, m6], Moments::Column(weights));
+            let moment = SecondMoment { moments, error: SOLVED, slack: truth.slack };
             self.claims.push(SecondMomentClaim { name: "second_moment".into(), sums, moment });
-        }
-    }
-
-    /// The mean by the range of the scores, if they have one.
-    fn range(&mut self) {
-        let mean = self.mean;
-        if bounds(&mean) && self.terms.stands(Withdrawal::Independent) {
-            let fold = |portfolio| WealthSums { column: WEIGHT.into(), event: None, portfolio };
-            let wealth = portfolio(&mean).map(|portfolio| self.claims.folds.add(fold(portfolio)));
-            let (name, sums, reason) = ("bounded_mean".into(), Moments::Column(self.weights), Reason::Biased);
-            self.claims.push(BoundedMean { name, sums, wealth, mean, reason });
         }
     }
 
