@@ -2,7 +2,7 @@
 
 use super::figure::{FigureView, Reading};
 use super::ranking::{self, RankingView};
-use super::subject::SubjectView;
+use super::subject::{SameClaims, SubjectView};
 use crate::figures::Figures;
 use crate::number::short;
 use crate::site::{Site, is_ray};
@@ -41,9 +41,19 @@ impl CaseView {
             parameters: case.medium.map_or_else(String::new, |m| clean(&m.parameters.to_string(), 600)),
             figures: FigureView::all(figures.cases.get(i).unwrap_or(&none)),
             ranking: ranking::of(site, case),
-            subjects: case.members.iter().filter_map(view).collect(),
+            subjects: once(case.members.iter().filter_map(view).collect(), brief),
         }
     }
+}
+
+/// What is claimed of several subjects of a case stands with the first of them, if `brief`.
+fn once(mut subjects: Vec<SubjectView>, brief: bool) -> Vec<SubjectView> {
+    for i in 1..if brief { subjects.len() } else { 0 } {
+        let same = subjects[..i].iter().find(|of| of.claims_of.is_none() && of.claims == subjects[i].claims);
+        let same = same.map(|of| SameClaims { id: of.letter.id.clone(), name: of.name.clone() });
+        subjects[i].claims_of = same;
+    }
+    subjects
 }
 
 fn sentence(medium: &MediumResult) -> String {

@@ -33,6 +33,8 @@ pub(crate) struct SubjectView {
     pub(crate) draws: String,
     pub(crate) parameters: String,
     pub(crate) claims: Vec<String>,
+    /// The subject before it of which just the same is claimed.
+    pub(crate) claims_of: Option<SameClaims>,
     pub(crate) facts: Vec<FactRow>,
     pub(crate) tests: Vec<TestRow>,
     /// A note on what is shown only in part.
@@ -40,6 +42,12 @@ pub(crate) struct SubjectView {
     pub(crate) repro: String,
     pub(crate) log: Vec<String>,
     pub(crate) figures: Vec<FigureView>,
+}
+
+/// A subject of the same case of which the same is claimed.
+pub(crate) struct SameClaims {
+    pub(crate) id: String,
+    pub(crate) name: String,
 }
 
 /// A reason with what usually causes it.
@@ -77,14 +85,14 @@ impl SubjectView {
     pub(crate) fn new(subject: &Subject, figures: &[Drawn], readings: &[Reading], brief: bool) -> Self {
         let result = subject.result;
         let why = if result.expected_by_design { " (computed from its claims)" } else { "" };
-        let quiet = is_quiet(subject);
+        let (quiet, advised) = (is_quiet(subject), !(brief && result.as_expected));
         Self {
             quiet,
             letter: Letter::new(subject),
             name: subject.name.clone(),
             sentence: words::verdict(result),
             verdict: result.verdict.to_string(),
-            reasons: result.reasons.iter().take(MOST).map(reason).collect(),
+            reasons: result.reasons.iter().take(MOST).map(|of| reason(of, advised)).collect(),
             notes: notes(result),
             measures: measures(subject),
             expected: format!("{}{why}", clean(&crate::text::words(&result.expected), 120)),
@@ -92,6 +100,7 @@ impl SubjectView {
             draws: draws(subject),
             parameters: clean(&result.parameters.to_string(), 600),
             claims: result.claims.iter().take(MOST).map(|claim| clean(&claim.statement, 200)).collect(),
+            claims_of: None,
             facts: result.facts.iter().take(MOST).map(fact).collect(),
             tests: rows(result, brief && result.as_expected),
             left_out: left_out(result),
@@ -102,8 +111,9 @@ impl SubjectView {
     }
 }
 
-fn reason(reason: &Reason) -> ReasonView {
-    let part = |name| paragraph(reason.advice(), name);
+/// With its usual causes, unless it was expected and one of many.
+fn reason(reason: &Reason, advised: bool) -> ReasonView {
+    let part = |name| if advised { paragraph(reason.advice(), name) } else { String::new() };
     ReasonView { code: reason.code(), words: reason.words(), causes: part("Causes:"), advice: part("Do:") }
 }
 
@@ -125,9 +135,24 @@ fn tests(result: &SubjectResult) -> Vec<&TestResult> {
 
 /// The rows of the tests; if `brief`, of those that tell, and one for all others.
 fn rows(result: &SubjectResult, brief: bool) -> Vec<TestRow> {
-    let (telling, silent): (Vec<_>, Vec<_>) = tests(result).into_iter().partition(|of| !brief || tells(of));
-    telling.into_iter().map(test).chain(others(&silent)).collect()
+    let telling = |of: &&TestResult| !brief || (tells(of) && !of.reported);
+    let (telling, silent): (Vec<_>, Vec<_>) = tests(result).into_iter().partition(telling);
+    let mut rows = Vec::new();
+    telling.into_iter().for_each(|of| add(test(of), brief, &mut rows));
+    rows.into_iter().chain(others(&silent)).collect()
 }
+
+/// One more row; if `brief`, what was withheld in both stages for one reason is one row of both.
+fn add(row: TestRow, brief: bool, rows: &mut Vec<TestRow>) {
+    let same = |of: &&mut TestRow| (&of.name, of.decision, &of.note) == (&row.name, WITHHELD, &row.note);
+    match rows.iter_mut().find(same).filter(|_| brief && row.decision == WITHHELD) {
+        Some(first) => first.stage = format!("{}, {}", first.stage, row.stage),
+        None => rows.push(row),
+    }
+}
+
+/// The decision on a test without a p-value.
+const WITHHELD: &str = "withheld";
 
 /// True of a test that rejects, that has no p-value, or one that gives cause for stage 2.
 fn tells(test: &TestResult) -> bool {
@@ -136,7 +161,12 @@ fn tells(test: &TestResult) -> bool {
 
 /// One row for all tests of no interest.
 fn others(silent: &[&TestResult]) -> Option<TestRow> {
-    let least = silent.iter().filter_map(|test| test.p).map(|p| p.0).min_by(f64::total_cmp)?;
+    let least = silent
+        .iter()
+        .filter(|test| !test.reported)
+        .filter_map(|test| test.p)
+        .map(|p| p.0)
+        .min_by(f64::total_cmp)?;
     let name = if silent.len() == 1 { "1 other".into() } else { format!("{} others", silent.len()) };
     let p = format!("{} or more", probability(least));
     Some(TestRow { name, p, ..TestRow::default() })
@@ -226,7 +256,7 @@ fn test(test: &TestResult) -> TestRow {
         TestResult { rejected_alone: true, .. } => ("rejected", "rejected alone"),
         TestResult { rejected: true, .. } => ("rejected", "rejected"),
         TestResult { reported: true, .. } => ("reported", "shown"),
-        TestResult { p: None, .. } => ("reported", "withheld"),
+        TestResult { p: None, .. } => ("reported", WITHHELD),
         _ => ("", ""), // the glossary says that it is not rejected
     };
     TestRow {
